@@ -1,0 +1,1 @@
+"""dhgen: a compiler from Denavit-Hartenberg tables to exact inverse kinematics."""

@@ -1,0 +1,56 @@
+"""What dhgen says when it refuses: one exception family, one way to point into a file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One remark about one place of a robot file.
+
+    Attributes:
+        file: The path as the user gave it.
+        line: Line number, from 1 (0 when the remark is about the whole file).
+        column: Column number, from 1.
+        message: What is wrong and, where there is a choice, what would be right.
+        source: The text of the line, without its line end.
+        width: How many characters the caret underlines.
+    """
+
+    file: str
+    line: int
+    column: int
+    message: str
+    source: str = ""
+    width: int = 1
+
+    def __str__(self) -> str:
+        """`file:line:col: message`, then the line with a caret under the place."""
+        if self.line == 0:
+            return f"{self.file}: {self.message}"
+        head = f"{self.file}:{self.line}:{self.column}: {self.message}"
+        if not self.source.strip():
+            return head
+        caret = " " * (self.column - 1) + "^" * max(1, self.width)
+        return f"{head}\n    {self.source}\n    {caret}"
+
+
+class DhgenError(Exception):
+    """Anything that dhgen refuses, with a text meant for its user."""
+
+
+class RobotFileError(DhgenError):
+    """A robot file that can't be read: every mistake in it, in the order of the file."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        self.diagnostics = diagnostics
+        super().__init__("\n".join(str(diagnostic) for diagnostic in diagnostics))
+
+
+class UnsolvedError(DhgenError):
+    """No order of equations solves the robot; the message says which way failed where."""
+
+
+class VerificationError(DhgenError):
+    """The written files do not do what they promise: a fault of the compiler, never the user's."""

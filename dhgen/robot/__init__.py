@@ -1,0 +1,1 @@
+"""The robot file: from YAML text to a validated, frozen Robot."""

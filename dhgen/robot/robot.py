@@ -1,0 +1,172 @@
+"""What the user wrote, validated: the value that every later stage starts from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.errors import Diagnostic
+    from dhgen.robot.expression import Expression
+
+
+class JointKind(Enum):
+    """How a joint moves."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+
+
+class Convention(Enum):
+    """The order of a Denavit-Hartenberg row."""
+
+    STANDARD = "standard"  # Rz(theta) Tz(d) Tx(a) Rx(alpha)
+    MODIFIED = "modified"  # Rx(alpha) Tx(a) Rz(theta) Tz(d)
+
+
+class TaskKind(Enum):
+    """What of the tool's pose the caller means."""
+
+    POSE = "pose"
+    POSITION = "position"
+    ORIENTATION = "orientation"
+    POINTING = "pointing"  # position and the tool's z axis
+    COORDINATES = "coordinates"  # a list out of x, y, z
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A named number of the robot file, e.g. a link length.
+
+    Attributes:
+        name: An identifier.
+        expression: Its value as written; parameters defined before it may occur.
+        value: The same as a float, in the file's unit (angles in radians).
+    """
+
+    name: str
+    expression: Expression
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class DhRow:
+    """One row of a Denavit-Hartenberg table.
+
+    The variable q stands in `theta` (revolute) or in `d` (prismatic), with `sign`; the expression
+    kept there is the constant that is added to it: `theta: q + pi/2` has sign 1 and theta pi/2.
+
+    Attributes:
+        kind: Where q stands.
+        sign: +1 or -1, the factor of q.
+        theta: Joint angle (or its offset) [rad].
+        d: Joint offset (or the constant added to q) [length].
+        a: Link length [length].
+        alpha: Twist [rad].
+        limits: Lowest and highest q [rad or length], or None.
+    """
+
+    kind: JointKind
+    sign: int
+    theta: Expression
+    d: Expression
+    a: Expression
+    alpha: Expression
+    limits: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class AxisJoint:
+    """A joint given by its axis in the reference position (q = 0), in the base frame.
+
+    Attributes:
+        kind: Revolute about the axis, or prismatic along it.
+        direction: Three components, not all zero, of any length.
+        point: A point of the axis [length]; without meaning for a prismatic joint.
+        limits: Lowest and highest q [rad or length], or None.
+    """
+
+    kind: JointKind
+    direction: tuple[Expression, Expression, Expression]
+    point: tuple[Expression, Expression, Expression]
+    limits: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class DhTable:
+    """A robot given by Denavit-Hartenberg rows."""
+
+    convention: Convention
+    rows: tuple[DhRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceAxes:
+    """A robot given by its axes in the reference position, and the tool's pose there."""
+
+    axes: tuple[AxisJoint, ...]
+    home: Frame
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A constant frame as written: a translation and a rotation matrix, row by row.
+
+    Attributes:
+        xyz: The origin [length].
+        rotation: Nine expressions; rpy and quaternions are already written out as products of
+            sines and cosines, so exact angles stay exact.
+    """
+
+    xyz: tuple[Expression, Expression, Expression]
+    rotation: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What of T the caller means; `coordinates` is filled for TaskKind.COORDINATES only.
+
+    Attributes:
+        kind: Which entries.
+        coordinates: Out of "x", "y", "z", in this order.
+    """
+
+    kind: TaskKind
+    coordinates: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """A validated robot file.
+
+    Attributes:
+        name: Identifier that names the files and the C functions.
+        title: What a person calls the robot.
+        source: Where its numbers come from.
+        parameters: The file's own parameters, in the file's order.
+        geometry: A table, or axes in the reference position.
+        base: Z in POS = Z T E, pose of the arm's base frame.
+        tool: E in POS = Z T E, pose of the tool in the last frame.
+        task: What of the pose the caller means.
+        free: Joints (from 1) whose value the caller gives.
+        length_unit: How lengths are called, e.g. "m".
+        notices: What was snapped to an exact value, or looks like a slip.
+    """
+
+    name: str
+    title: str
+    source: str
+    parameters: tuple[Parameter, ...]
+    geometry: DhTable | ReferenceAxes
+    base: Frame
+    tool: Frame
+    task: Task
+    free: tuple[int, ...] = ()
+    length_unit: str = "m"
+    notices: tuple[Diagnostic, ...] = ()
+
+    @property
+    def joints(self) -> tuple[DhRow, ...] | tuple[AxisJoint, ...]:
+        """The joints from base to tool."""
+        return self.geometry.rows if isinstance(self.geometry, DhTable) else self.geometry.axes
