@@ -1,0 +1,179 @@
+"""All inverse kinematic solutions of a pose, by Levenberg-Marquardt from very many starts.
+
+Nothing here knows about a robot's structure: it is slow, plain, and finds for any arm and any
+task what a closed form must also find. Random starts go on, batch after batch, until several
+batches in a row brought nothing new and every solution has been met more than once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tests.oracle.problem import Problem, state
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from dhgen.robot.robot import Robot
+    from tests.oracle.arm import FloatArray
+
+BATCH = {1: 32, 2: 32, 3: 64, 4: 128}  # starts at once, by the number of joints to find
+LARGEST_BATCH = 256
+QUIET_BATCHES = 3  # batches in a row without a new solution before the search ends
+TIMES_MET = 3  # a solution met less often than this says that others may be missing
+MOST_BATCHES = 40
+
+STEPS = 60
+CONVERGED = 1e-20  # squared residual, lengths in units of the arm
+STATIONARY = 1e-10  # squared gradient per squared residual: a minimum that is no solution
+MOST_DAMPING = 1e8
+POLISHING_STEPS = 12
+POLISHED = 1e-12  # residual of every solution, lengths in units of the arm
+
+REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, simple solution
+SAME = 1e-7  # solutions closer than this [rad, or arm sizes] are one
+SAME_SINGULAR = 1e-4  # a double root is known only to the square root of rounding
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The solutions of one pose, sorted; revolute joints lie in (-pi, pi].
+
+    Attributes:
+        regular: (k, n), isolated and simple.
+        singular: (m, n), where the task's Jacobian loses rank: double roots (an arm stretched or
+            folded), and points out of a continuum of solutions.
+    """
+
+    regular: FloatArray
+    singular: FloatArray
+
+
+def all_solutions(
+    robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int = 0
+) -> FloatArray:
+    """Every isolated, simple solution, whether inside the joint limits or not.
+
+    Args:
+        robot: The robot; its task says which entries of T count, its `free` which joints are given.
+        T: Pose of the tool in the base, shape (4, 4).
+        q_free: Values of the free joints [rad or length], in the order of `robot.free`.
+        seed: Of the random starts; the answer should not depend on it.
+
+    Returns:
+        Joint values [rad or length], shape (k, n), sorted; revolute joints in (-pi, pi].
+    """
+    return solve(robot, T, q_free, seed=seed).regular
+
+
+def solve(robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int = 0) -> Found:
+    """Like `all_solutions`, with the singular solutions that the search came across."""
+    problem = state(robot, np.asarray(T, dtype=float), q_free)
+    random = np.random.default_rng(seed)
+    batch = BATCH.get(len(problem.moving), LARGEST_BATCH)
+    regular = singular = np.empty((0, len(problem.q)))
+    met = np.empty(0, dtype=np.intp)
+    quiet = 0
+    for _ in range(MOST_BATCHES):
+        known = len(regular)
+        q, simple = _polish(problem, _descend(problem, problem.starts(batch, random)))
+        regular, hits = _merge(problem, regular, q[simple], SAME)
+        singular, _ = _merge(problem, singular, q[~simple], SAME_SINGULAR)
+        met = np.pad(met, (0, len(regular) - known)) + hits
+        quiet = quiet + 1 if len(regular) == known else 0
+        if quiet >= QUIET_BATCHES and np.all(met >= TIMES_MET):
+            break
+    return Found(_sorted(regular * problem.units), _sorted(singular * problem.units))
+
+
+def _descend(problem: Problem, q: FloatArray) -> FloatArray:
+    """Follow every start (N, n) downhill; those that reached the pose."""
+    arrived = []
+    error, J = problem.residual(q)
+    damping = np.full(len(q), 1e-2)
+    for _ in range(STEPS):
+        cost, gradient = _squares(error), np.einsum("kmj,km->kj", J, error)
+        done = cost < CONVERGED
+        arrived.append(q[done])
+        lost = (_squares(gradient) < STATIONARY * cost) | (damping > MOST_DAMPING)
+        q, error, J, damping, gradient, cost = _only(
+            ~done & ~lost, q, error, J, damping, gradient, cost
+        )
+        if not len(q):
+            break
+        trial = q.copy()
+        trial[:, problem.moving] -= _damped_step(J, gradient, damping)
+        trial_error, trial_J = problem.residual(trial)
+        better = _squares(trial_error) < cost
+        q = np.where(better[:, None], trial, q)
+        error = np.where(better[:, None], trial_error, error)
+        J = np.where(better[:, None, None], trial_J, J)
+        damping = np.where(better, damping / 8, damping * 5)
+    return np.concatenate(arrived)
+
+
+def _damped_step(J: FloatArray, gradient: FloatArray, damping: FloatArray) -> FloatArray:
+    normal = np.einsum("kmi,kmj->kij", J, J)
+    normal += damping[:, None, None] * np.eye(normal.shape[-1])
+    step: FloatArray = np.linalg.solve(normal, gradient[..., None])[..., 0]
+    return step
+
+
+def _polish(problem: Problem, q: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Gauss-Newton to the last digits; the solutions, and which of them are simple."""
+    q = q.copy()
+    for _ in range(POLISHING_STEPS):
+        error, J = problem.residual(q)
+        # directions in which nothing moves are left alone, so a singular solution stays put
+        step = np.linalg.pinv(J, rcond=REGULAR / 10) @ error[..., None]
+        q[:, problem.moving] -= step[..., 0]
+    error, J = problem.residual(q)
+    good = np.sqrt(_squares(error)) < POLISHED
+    simple = np.linalg.svd(J[good], compute_uv=False)[:, -1] > REGULAR
+    return q[good], simple & (J.shape[1] >= J.shape[2])
+
+
+def _merge(
+    problem: Problem, known: FloatArray, found: FloatArray, same: float
+) -> tuple[FloatArray, NDArray[np.intp]]:
+    """Known solutions first, then new ones; and how often each was among the found."""
+    hits = np.zeros(len(known), dtype=np.intp)
+    while len(found):
+        pivot = _wrapped(problem, found[:1])
+        gap = np.abs(_wrapped(problem, found - pivot)).max(axis=1)
+        alike = gap < same
+        to_known = np.abs(_wrapped(problem, known - pivot)).max(axis=1, initial=0.0)
+        match = np.flatnonzero(to_known < same)
+        if len(match):
+            hits[match[0]] += np.count_nonzero(alike)
+        else:
+            known = np.concatenate([known, pivot])
+            hits = np.append(hits, np.count_nonzero(alike))
+        found = found[~alike]
+    return known, hits
+
+
+def _wrapped(problem: Problem, q: FloatArray) -> FloatArray:
+    """Revolute joints modulo a turn, into (-pi, pi]."""
+    turned = -np.remainder(-q + np.pi, 2 * np.pi) + np.pi
+    return np.where(problem.model.revolute, turned, q)
+
+
+def _sorted(q: FloatArray) -> FloatArray:
+    # rounded first, so that digits beyond the accuracy do not decide the order
+    ordered: FloatArray = q[np.lexsort(np.round(q.T, 6)[::-1])]
+    return ordered
+
+
+def _squares(v: FloatArray) -> FloatArray:
+    squares: FloatArray = np.einsum("ki,ki->k", v, v)
+    return squares
+
+
+def _only(chosen: NDArray[np.bool_], *arrays: FloatArray) -> tuple[FloatArray, ...]:
+    return tuple(array[chosen] for array in arrays)

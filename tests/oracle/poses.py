@@ -1,0 +1,150 @@
+"""Joint vectors and poses that a solver must answer: the ordinary, the singular and the hopeless.
+
+Every set is an array of joint vectors (N, n), the same on every run. Prismatic joints stay within
+their limits, or within the arm's size when they have none. Revolute joints turn all the way round
+except in `boundary`.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.robot.robot import JointKind, Robot, TaskKind
+from tests.oracle.arm import arm, arm_size
+from tests.oracle.forward import forward
+from tests.oracle.problem import names_position
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tests.oracle.arm import FloatArray
+
+RIGHT_ANGLES = (0.0, np.pi / 2, np.pi, -np.pi / 2)
+NEAR = (1e-6, 1e-8, 1e-10)  # rad
+
+
+def joint_sets(robot: Robot, *, count: int = 20, seed: int = 0) -> dict[str, FloatArray]:
+    """All the sets of joint vectors below by name; `count` of each kind where that is free."""
+    return {
+        "random": random_joints(robot, count, seed=seed),
+        "right angles": right_angles(robot, seed=seed),
+        "singular": one_joint_at(robot, (0.0, np.pi), count, seed=seed),
+        "near singular": near_singular(robot, count, seed=seed),
+        "stretched or folded": one_joint_at(robot, RIGHT_ANGLES, count, seed=seed),
+        "boundary": boundary(robot, count, seed=seed),
+    }
+
+
+def ranges(robot: Robot) -> FloatArray:
+    """Lowest and highest values, (2, n): full turns, and strokes or else the arm's size."""
+    size = arm_size(robot)
+    low, high = [], []
+    for joint in robot.joints:
+        if joint.kind is JointKind.REVOLUTE:
+            limits = (-np.pi, np.pi)
+        else:
+            limits = joint.limits or (-size, size)
+        low.append(limits[0])
+        high.append(limits[1])
+    return np.array([low, high])
+
+
+def random_joints(robot: Robot, count: int, *, seed: int = 0) -> FloatArray:
+    """Anywhere: (count, n)."""
+    low, high = ranges(robot)
+    return np.random.default_rng(seed).uniform(low, high, (count, len(low)))
+
+
+def right_angles(robot: Robot, most: int = 500, *, seed: int = 0) -> FloatArray:
+    """Every joint a multiple of a right angle, slides in or out or in between.
+
+    All combinations, or a sample of `most` of them: home poses, what everyone tries first.
+    """
+    turns = [joint.kind is JointKind.REVOLUTE for joint in robot.joints]
+    choices = [
+        RIGHT_ANGLES if revolute else (low, (low + high) / 2, high)
+        for revolute, low, high in zip(turns, *ranges(robot), strict=True)
+    ]
+    if np.prod([float(len(choice)) for choice in choices]) <= most:
+        return np.array(list(product(*choices)))
+    random = np.random.default_rng(seed)
+    return np.stack([random.choice(choice, most) for choice in choices], axis=1)
+
+
+def one_joint_at(robot: Robot, values: Sequence[float], count: int, *, seed: int = 0) -> FloatArray:
+    """Each revolute joint in turn at each value, the others anywhere.
+
+    At 0 and pi among them are the singular wrists, the arms stretched or folded, and for tables
+    with offsets the multiples of a right angle between them.
+    """
+    found = [np.empty((0, len(robot.joints)))]
+    for joint in range(len(robot.joints)):
+        if robot.joints[joint].kind is JointKind.PRISMATIC:
+            continue
+        for value in values:
+            q = random_joints(robot, count, seed=seed + len(found))
+            q[:, joint] = value
+            found.append(q)
+    return np.concatenate(found)
+
+
+def near_singular(robot: Robot, count: int, *, seed: int = 0) -> FloatArray:
+    """Each revolute joint in turn close to a multiple of a right angle, on either side."""
+    values = [angle + side * near for angle in RIGHT_ANGLES for near in NEAR for side in (1, -1)]
+    return one_joint_at(robot, values, count, seed=seed)
+
+
+def boundary(robot: Robot, count: int, *, seed: int = 0) -> FloatArray:
+    """Each joint with limits in turn at its lowest and highest value, the others within theirs."""
+    limits = [joint.limits for joint in robot.joints]
+    low, high = ranges(robot)
+    for joint, pair in enumerate(limits):
+        low[joint], high[joint] = pair or (low[joint], high[joint])
+    found = [np.empty((0, len(limits)))]
+    for joint, pair in enumerate(limits):
+        for value in pair or ():
+            random = np.random.default_rng(seed + len(found))
+            q = random.uniform(low, high, (count, len(limits)))
+            q[:, joint] = value
+            found.append(q)
+    return np.concatenate(found)
+
+
+def out_of_reach(robot: Robot, count: int, *, factor: float = 10.0, seed: int = 0) -> FloatArray:
+    """Poses (count, 4, 4) whose position lies `factor` times the arm's size away from its base.
+
+    An arm with an unlimited slide may reach them all the same. Orientations have no such poses:
+    the result is then empty.
+    """
+    if not names_position(robot.task):
+        return np.empty((0, 4, 4))
+    T = forward(robot, random_joints(robot, count, seed=seed)).astype(float)
+    origin = arm(robot).before[0, :3, 3]
+    away = T[:, :3, 3] - origin + 1e-3 * arm_size(robot)
+    away /= np.linalg.norm(away, axis=1, keepdims=True)
+    T[:, :3, 3] = origin + factor * arm_size(robot) * away
+    return T
+
+
+def out_of_form(robot: Robot, count: int, *, seed: int = 0) -> FloatArray:
+    """Poses (count, 4, 4) turned so that an arm of fewer than six joints cannot take them.
+
+    Empty for six joints and more, and for tasks that leave the orientation open.
+    """
+    if robot.task.kind is not TaskKind.POSE or len(robot.joints) >= 6:
+        return np.empty((0, 4, 4))
+    T = forward(robot, random_joints(robot, count, seed=seed)).astype(float)
+    turns = np.random.default_rng(seed).uniform(0.3, 1.2, (count, 3))
+    for i, (x, y, z) in enumerate(turns):
+        T[i, :3, :3] = T[i, :3, :3] @ _turn(0, x) @ _turn(1, y) @ _turn(2, z)
+    return T
+
+
+def _turn(axis: int, angle: float) -> FloatArray:
+    R = np.eye(3)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    R[[i, i, j, j], [i, j, i, j]] = np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)
+    return R

@@ -1,0 +1,104 @@
+"""A pose to reach, as a least-squares problem in numbers near one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.robot.robot import Robot, TaskKind
+from tests.oracle.arm import Arm, arm, arm_size
+from tests.oracle.forward import forward_with_derivatives
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.robot.robot import Task
+    from tests.oracle.arm import FloatArray
+
+# Solutions beyond the limits are solutions too (their status says so), so the starts of a
+# prismatic joint are drawn from its whole surroundings, in units of the arm's size.
+PRISMATIC_REACH = 1.5
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A pose to reach; all lengths, also those of prismatic q, are divided by `unit_length`.
+
+    Attributes:
+        model: The robot's numbers.
+        unit_length: The arm's size, or the pose's distance if that is greater [file's unit].
+        entries: (12,), which of the upper three rows of T the task names.
+        target: (m,), their values.
+        moving: The joints to find; the others are free joints whose value is given.
+        q: (n,), holds the values of the free joints.
+    """
+
+    model: Arm
+    unit_length: float
+    entries: NDArray[np.bool_]
+    target: FloatArray
+    moving: NDArray[np.intp]
+    q: FloatArray
+
+    @property
+    def units(self) -> FloatArray:
+        """(n,), what one of each joint is in the file's unit or in radians."""
+        return np.where(self.model.revolute, 1.0, self.unit_length)
+
+    def starts(self, count: int, random: np.random.Generator) -> FloatArray:
+        """Random joint vectors, (count, n)."""
+        reach = np.where(self.model.revolute, np.pi, PRISMATIC_REACH)[self.moving]
+        q = np.tile(self.q, (count, 1))
+        q[:, self.moving] = random.uniform(-reach, reach, (count, len(reach)))
+        return q
+
+    def residual(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The task's error (N, m) and its Jacobian (N, m, moving joints) at q (N, n)."""
+        T, dT = forward_with_derivatives(self.model, q)
+        error = T[:, :3].reshape(len(q), 12)[:, self.entries] - self.target
+        rows = dT[:, self.moving, :3].reshape(len(q), len(self.moving), 12)
+        return error, np.swapaxes(rows[..., self.entries], 1, 2)
+
+
+def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
+    """The problem of reaching a pose T (4, 4), the free joints' values given."""
+    model = arm(robot)
+    distance = float(np.linalg.norm(T[:3, 3] - model.before[0, :3, 3]))
+    unit_length = max(arm_size(robot), distance if names_position(robot.task) else 0.0)
+    free = [joint - 1 for joint in robot.free]
+    q = np.zeros(len(robot.joints))
+    q[free] = np.asarray(q_free, dtype=float)
+    q /= np.where(model.revolute, 1.0, unit_length)
+    target = T[:3].copy()
+    target[:, 3] /= unit_length
+    entries = task_entries(robot.task)
+    moving = np.setdiff1d(np.arange(len(q)), free)
+    return Problem(
+        model.divided_by(unit_length), unit_length, entries, target.ravel()[entries], moving, q
+    )
+
+
+def task_entries(task: Task) -> NDArray[np.bool_]:
+    """Which of the upper three rows of T a task names, row by row: shape (12,)."""
+    entries = np.zeros((3, 4), dtype=bool)
+    match task.kind:
+        case TaskKind.POSE:
+            entries[:] = True
+        case TaskKind.ORIENTATION:
+            entries[:, :3] = True
+        case TaskKind.POSITION:
+            entries[:, 3] = True
+        case TaskKind.POINTING:
+            entries[:, 2:] = True
+        case TaskKind.COORDINATES:
+            entries[["xyz".index(name) for name in task.coordinates], 3] = True
+    return entries.ravel()
+
+
+def names_position(task: Task) -> bool:
+    """Whether any coordinate of the tool matters."""
+    return bool(task_entries(task)[3::4].any())
