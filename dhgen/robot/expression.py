@@ -83,11 +83,11 @@ def evaluate(expression: Expression, parameters: Mapping[str, float]) -> float:
             return math.pi
         case Name(name):
             return parameters[name]
-        case Negate(operand):
-            return -evaluate(operand, parameters)
+        case Negate(negated):
+            return -evaluate(negated, parameters)
         case Call(function, argument):
-            value = evaluate(argument, parameters)
-            return {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}[function](value)
+            operand = evaluate(argument, parameters)
+            return {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos}[function](operand)
         case Binary(operator, left, right):
             return _combine(operator, evaluate(left, parameters), evaluate(right, parameters))
 
@@ -104,3 +104,55 @@ def _combine(operator: Operator, left: float, right: float) -> float:
             return left / right
         case "**":
             return float(left**right)
+
+
+def to_text(expression: Expression) -> str:
+    """The expression as it may stand in a cell, with as few parentheses as its structure needs.
+
+    Numbers are exact decimals where they have one and fractions otherwise.
+    """
+    return _text(expression)[0]
+
+
+_SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
+_STRENGTH = {"+": _SUM, "-": _SUM, "*": _PRODUCT, "/": _PRODUCT, "**": _POWER}
+
+
+def _text(expression: Expression) -> tuple[str, int]:
+    """The text, and how strongly its outermost operator binds."""
+    match expression:
+        case Number(value):
+            result = _number_text(value)
+        case Pi():
+            result = "pi", _ATOM
+        case Name(name):
+            result = name, _ATOM
+        case Negate(operand):
+            result = "-" + _enclosed(operand, _SIGN), _SIGN
+        case Call(function, argument):
+            result = f"{function}({to_text(argument)})", _ATOM
+        case Binary("**", left, right):
+            result = f"{_enclosed(left, _ATOM)}**{_enclosed(right, _SIGN)}", _POWER
+        case Binary(operator, left, right):
+            strength = _STRENGTH[operator]
+            sign = f" {operator} " if strength == _SUM else operator
+            result = _enclosed(left, strength) + sign + _enclosed(right, strength + 1), strength
+    return result
+
+
+def _enclosed(expression: Expression, weakest: int) -> str:
+    text, strength = _text(expression)
+    return text if strength >= weakest else f"({text})"
+
+
+def _number_text(value: Fraction) -> tuple[str, int]:
+    """A decimal has a denominator of twos and fives only."""
+    sign, strength = ("-", _SIGN) if value < 0 else ("", _ATOM)
+    rest, places = value.denominator, 0
+    while 10**places % rest:
+        places += 1
+        if places > rest.bit_length():
+            return f"{value.numerator}/{value.denominator}", _PRODUCT
+    digits = str(abs(value.numerator) * 10**places // rest).rjust(places + 1, "0")
+    point = len(digits) - places
+    return sign + digits[:point] + ("." + digits[point:] if places else ""), strength

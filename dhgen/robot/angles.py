@@ -1,0 +1,86 @@
+"""Exact angles: the multiples of pi/12, their cosines, and decimals that mean them."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Number, Pi, to_text
+from dhgen.robot.simplify import negate
+from dhgen.robot.surds import Surd
+
+SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
+SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
+ROUNDING = 1e-15  # what arithmetic with doubles loses for a value of about 1
+
+_TWELFTH = math.pi / 12
+_QUARTER = Fraction(1, 4)
+_COSINES = (
+    Surd.of(1),
+    Surd.of(_QUARTER, 6) + Surd.of(_QUARTER, 2),
+    Surd.of(Fraction(1, 2), 3),
+    Surd.of(Fraction(1, 2), 2),
+    Surd.of(Fraction(1, 2)),
+    Surd.of(_QUARTER, 6) + Surd.of(-_QUARTER, 2),
+    Surd.of(0),
+)
+
+
+def twelfths(value: float) -> int | None:
+    """The k of a value k pi/12, within SNAP; None otherwise."""
+    if not math.isfinite(value):
+        return None
+    nearest = round(value / _TWELFTH)
+    return nearest if abs(value - nearest * _TWELFTH) <= SNAP else None
+
+
+def exact_angle(k: int) -> Expression:
+    """The angle k pi/12 as one writes it: pi/2, -2*pi/3, 0."""
+    if k < 0:
+        return negate(exact_angle(-k))
+    ratio = Fraction(k, 12)
+    if ratio == 0:
+        return ZERO
+    factor = Number(Fraction(ratio.numerator))
+    angle: Expression = Pi() if factor == ONE else Binary("*", factor, Pi())
+    denominator = Number(Fraction(ratio.denominator))
+    return angle if denominator == ONE else Binary("/", angle, denominator)
+
+
+def exact_cosine(k: int) -> Expression:
+    """cos(k pi/12), e.g. sqrt(3)/2."""
+    quadrant, rest = divmod(abs(k) % 24, 12)
+    value = _COSINES[rest] if rest <= 6 else -_COSINES[12 - rest]
+    return (-value if quadrant else value).expression()
+
+
+def cosine(angle: Expression, value: float) -> Expression:
+    """cos(angle), exact where the angle's value is a multiple of pi/12."""
+    k = twelfths(value)
+    return Call("cos", angle) if k is None else exact_cosine(k)
+
+
+def sine(angle: Expression, value: float) -> Expression:
+    """sin(angle), exact where the angle's value is a multiple of pi/12."""
+    k = twelfths(value)
+    return Call("sin", angle) if k is None else exact_cosine(k - 6)
+
+
+def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
+    """What the user is told when a value is replaced by the exact one it means."""
+    distance = abs(value - exact)
+    if distance <= ROUNDING * max(1.0, abs(exact)):
+        return None
+    return f"is {distance:.1e} away from {to_text(meant)} and taken as {to_text(meant)}"
+
+
+def slip_notice(value: float) -> str | None:
+    """What the user is told about an angle that is nearly, but not exactly, a multiple of pi/2."""
+    if not math.isfinite(value):
+        return None
+    quarters = round(value / (math.pi / 2))
+    distance = abs(value - quarters * math.pi / 2)
+    if not SNAP < distance <= SLIP:
+        return None
+    meant = to_text(exact_angle(6 * quarters))
+    return f"is {distance:.1e} away from {meant}: write {meant} if that is meant"

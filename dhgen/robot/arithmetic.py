@@ -1,0 +1,193 @@
+"""Arithmetic from text: Python's grammar through a whitelist, and nothing is ever run."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, get_args
+
+from dhgen.robot.expression import (
+    DEGREE,
+    Binary,
+    Call,
+    Function,
+    Name,
+    Negate,
+    Number,
+    Pi,
+    evaluate,
+)
+from dhgen.robot.source import Span, quoted
+from dhgen.robot.tokens import ALLOWED, CellError, UnknownNameError, check_tokens, multiply_degrees
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from dhgen.robot.expression import Expression, Operator
+
+MAX_DEPTH = 32
+MAX_EXPONENT = 8
+# Powers of powers grow beyond every bound when a later stage writes them out exactly.
+MAX_DEGREE = 64
+
+FUNCTIONS: tuple[Function, ...] = get_args(Function)
+
+_OPERATORS: dict[type[ast.operator], Operator] = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.Pow: "**",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """An expression, its value (NaN when it is unknown), and how often factors multiply in it."""
+
+    expression: Expression
+    value: float
+    degree: int = 1
+
+
+def parse(text: str, values: Mapping[str, float]) -> Expression:
+    """The expression that a text says.
+
+    Args:
+        text: A cell as written.
+        values: Every name that may occur, with its value; NaN for a value that isn't known.
+
+    Returns:
+        The expression as written, numbers exact, `10 deg` as `10*(pi/180)`.
+
+    Raises:
+        CellError: The text says something else than arithmetic, or has no finite value.
+    """
+    check_tokens(text)
+    body = text.lstrip(" ")
+    shift = len(text) - len(body)
+    try:
+        tree = ast.parse(multiply_degrees(body), mode="eval")
+    except SyntaxError as error:
+        column = min((error.offset or 1) - 1 + shift, len(text.rstrip(" ")))
+        raise CellError(
+            "this is no arithmetic: an operand or an operator is missing", Span(column)
+        ) from None
+    except (RecursionError, MemoryError):
+        raise CellError(f"nested more than {MAX_DEPTH} deep", Span(0)) from None
+    return _Parser(body, shift, values).part(tree.body, 0).expression
+
+
+def nearest(word: str, valid: tuple[str, ...]) -> str:
+    """The end of a message about a wrong word: what was probably meant, and what is possible."""
+    close = difflib.get_close_matches(word, valid, n=1, cutoff=0.7)
+    meant = f"; did you mean '{close[0]}'?" if close else ";"
+    shown = ", ".join(valid[:16]) + (", ..." if len(valid) > 16 else "")
+    return f"{meant} valid: {shown}"
+
+
+@dataclass(frozen=True, slots=True)
+class _Parser:
+    """Python's tree to an Expression, values alongside so that a mistake is found at its place."""
+
+    body: str
+    shift: int
+    values: Mapping[str, float]
+
+    def part(self, node: ast.expr, depth: int) -> _Part:
+        if depth > MAX_DEPTH:
+            raise self._error(node, f"nested more than {MAX_DEPTH} deep")
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                literal = ast.get_source_segment(self.body, node) or ""
+                number = Number(Fraction(literal))
+                return _Part(number, float(number.value))
+            case ast.Name(id=name):
+                return self._name(node, name)
+            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+                return self.part(operand, depth + 1)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                inner = self.part(operand, depth + 1)
+                return _Part(Negate(inner.expression), -inner.value, inner.degree)
+            case ast.BinOp(op=operator) if type(operator) in _OPERATORS:
+                return self._binary(node, _OPERATORS[type(operator)], depth)
+            case ast.Call(func=ast.Name(id=name)):
+                return self._call(node, name, depth)
+        raise self._error(node, f"this is no arithmetic: allowed are {ALLOWED}")
+
+    def _name(self, node: ast.expr, name: str) -> _Part:
+        if name == "pi":
+            return _Part(Pi(), math.pi)
+        if name == "deg":
+            return _Part(DEGREE, math.pi / 180)
+        if name in self.values:
+            return _Part(Name(name), self.values[name])
+        if name in FUNCTIONS:
+            raise self._error(node, f"{name} needs an argument: {name}(...)")
+        if name == "q":
+            raise self._error(node, "the variable q stands in theta or in d of a joint only")
+        valid = (*self.values, "pi", "deg", *FUNCTIONS)
+        error = self._error(node, f"unknown name {quoted(name)}{nearest(name, valid)}")
+        raise UnknownNameError(name, error.message, error.span)
+
+    def _binary(self, node: ast.BinOp, operator: Operator, depth: int) -> _Part:
+        left = self.part(node.left, depth + 1)
+        if operator == "**":
+            return self._power(node, left)
+        right = self.part(node.right, depth + 1)
+        expression = Binary(operator, left.expression, right.expression)
+        value = self._value(node, Binary(operator, Name("l"), Name("r")), left.value, right.value)
+        degree = left.degree + right.degree if operator in "*/" else max(left.degree, right.degree)
+        return self._bounded(node, _Part(expression, value, degree))
+
+    def _power(self, node: ast.BinOp, left: _Part) -> _Part:
+        match node.right:
+            case ast.Constant(value=int(exponent)) if not isinstance(exponent, bool):
+                right: Expression = Number(Fraction(exponent))
+            case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int(exponent))):
+                right = Negate(Number(Fraction(exponent)))
+            case _:
+                exponent = MAX_EXPONENT + 1
+        if exponent > MAX_EXPONENT:
+            message = f"an exponent is a whole number from -{MAX_EXPONENT} to {MAX_EXPONENT}"
+            raise self._error(node.right, message)
+        value = self._value(node, Binary("**", Name("l"), right), left.value)
+        expression = Binary("**", left.expression, right)
+        return self._bounded(node, _Part(expression, value, left.degree * max(1, exponent)))
+
+    def _call(self, node: ast.Call, name: str, depth: int) -> _Part:
+        function = next((f for f in FUNCTIONS if f == name), None)
+        if function is None:
+            message = f"unknown function {quoted(name)}{nearest(name, FUNCTIONS)}"
+            raise self._error(node.func, message)
+        if len(node.args) != 1 or node.keywords:
+            raise self._error(node, f"{name} takes one argument")
+        argument = self.part(node.args[0], depth + 1)
+        value = self._value(node, Call(function, Name("l")), argument.value)
+        return _Part(Call(function, argument.expression), value, argument.degree)
+
+    def _value(self, node: ast.expr, form: Expression, left: float, right: float = 0.0) -> float:
+        """The value of one operation on known operands."""
+        try:
+            value = evaluate(form, {"l": left, "r": right})
+        except ZeroDivisionError:
+            raise self._error(node, "division by zero") from None
+        except ValueError:
+            raise self._error(node, f"square root of a negative number ({left:.6g})") from None
+        except OverflowError:
+            value = math.inf
+        if math.isinf(value):
+            raise self._error(node, "the value is too large")
+        return value
+
+    def _bounded(self, node: ast.expr, part: _Part) -> _Part:
+        if part.degree > MAX_DEGREE:
+            raise self._error(node, f"more than {MAX_DEGREE} factors multiply here")
+        return part
+
+    def _error(self, node: ast.expr, message: str) -> CellError:
+        end = node.end_col_offset or node.col_offset + 1
+        return CellError(message, Span(node.col_offset + self.shift, end - node.col_offset))

@@ -1,0 +1,146 @@
+"""The sections of a file put together; each is read by itself, so that all mistakes are found."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.robot.cells import INVALID, Cells
+from dhgen.robot.frames import IDENTITY_FRAME, read_frame
+from dhgen.robot.joints import read_axis, read_row
+from dhgen.robot.names import why_no_parameter_name
+from dhgen.robot.robot import (
+    Convention,
+    DhTable,
+    Parameter,
+    ReferenceAxes,
+    Robot,
+    Task,
+    TaskKind,
+)
+from dhgen.robot.schema import COORDINATES, AxisRow, FrameEntry, JointRow, Units
+from dhgen.robot.shape import Shape
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from dhgen.robot.report import Report
+    from dhgen.robot.robot import Frame
+
+
+def assemble(report: Report) -> Robot | None:
+    """The robot of a document.
+
+    Args:
+        report: Where mistakes and notices go.
+
+    Returns:
+        The robot; None, or a robot of no use, after a mistake.
+    """
+    return _Assembly(report).robot()
+
+
+class _Assembly:
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.document = report.document
+        self.shape = Shape(report)
+        self.cells = Cells(report)
+
+    def robot(self) -> Robot | None:
+        units = self.shape.section(("units",), Units) or Units()
+        self.cells.degrees = units.angle == "deg"
+        parameters = self._parameters()
+        geometry = self._geometry()
+        base, tool = self._frame("base"), self._frame("tool")
+        free = self._free(self._count("joints") or self._count("axes"))
+        file = self.shape.file
+        if file is None or geometry is None:
+            return None
+        return Robot(
+            name=file.name,
+            title=file.title or file.name,
+            source=file.source,
+            parameters=parameters,
+            geometry=geometry,
+            base=base,
+            tool=tool,
+            task=_task(file.task),
+            free=free,
+            length_unit=units.length,
+            notices=self.report.notices,
+        )
+
+    def _parameters(self) -> tuple[Parameter, ...]:
+        plain = self.document.plain(("parameters",)) if self._has("parameters") else {}
+        entries = plain if isinstance(plain, dict) else {}
+        self.cells.announce(entries)
+        parameters = []
+        for name, cell in entries.items():
+            path = ("parameters", name)
+            if reason := why_no_parameter_name(name):
+                self.report.error_at_key(path, f"{quoted(name)} can't be a parameter: {reason}")
+            right = self.shape.right(path)
+            expression = self.cells.parse(path, cell) if right else INVALID
+            value = self.cells.define(name, expression)
+            parameters.append(Parameter(name, expression, value))
+        return tuple(parameters)
+
+    def _geometry(self) -> DhTable | ReferenceAxes | None:
+        if self._has("joints") and self._has("axes"):
+            self.report.error_at_key(("axes",), "a robot has joints or axes, not both")
+        elif self._has("axes"):
+            return self._axes()
+        elif not self._has("joints"):
+            message = (
+                "no joints: write them as 'joints' (a table) or as 'axes' (reference position)"
+            )
+            self.report.error((), message)
+        return self._table()
+
+    def _table(self) -> DhTable:
+        if self._has("home") and not self._has("axes"):
+            self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
+        paths = [("joints", i) for i in range(self._count("joints"))]
+        entries = [(path, self.shape.section(path, JointRow)) for path in paths]
+        rows = tuple(read_row(self.cells, path, entry) for path, entry in entries if entry)
+        file = self.shape.file
+        return DhTable(Convention(file.convention if file else "standard"), rows)
+
+    def _axes(self) -> ReferenceAxes:
+        if self._has("convention"):
+            message = "'convention' goes with 'joints'; 'axes' need none"
+            self.report.error_at_key(("convention",), message)
+        paths = [("axes", i) for i in range(self._count("axes"))]
+        entries = [(path, self.shape.section(path, AxisRow)) for path in paths]
+        axes = tuple(read_axis(self.cells, path, entry) for path, entry in entries if entry)
+        return ReferenceAxes(axes, self._frame("home"))
+
+    def _frame(self, key: str) -> Frame:
+        entry = self.shape.section((key,), FrameEntry)
+        return read_frame(self.cells, (key,), entry) if entry else IDENTITY_FRAME
+
+    def _free(self, joints: int) -> tuple[int, ...]:
+        plain = self.document.plain(("free",)) if self._has("free") else []
+        if not isinstance(plain, list) or not self.shape.right(("free",)):
+            return ()
+        free = [int(number) for number in plain]
+        for i, number in enumerate(free):
+            if not 1 <= number <= joints:
+                message = f"there is no joint {number}: joints count from 1 to {joints}"
+                self.report.error(("free", i), message)
+            elif i and number <= free[i - 1]:
+                message = "free joints stand in ascending order, each once"
+                self.report.error(("free", i), message)
+        return tuple(free)
+
+    def _has(self, key: str) -> bool:
+        return self.document.has((key,))
+
+    def _count(self, key: str) -> int:
+        value = self.document.plain((key,)) if self._has(key) else []
+        return len(value) if isinstance(value, list) else 0
+
+
+def _task(entry: str | list[str]) -> Task:
+    if isinstance(entry, str):
+        return Task(TaskKind(entry))
+    return Task(TaskKind.COORDINATES, tuple(c for c in COORDINATES if c in entry))

@@ -1,0 +1,158 @@
+"""The cells of a file as expressions: lengths, angles and plain numbers, each with its snapping."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from dhgen.robot.angles import (
+    SNAP,
+    exact_angle,
+    exact_cosine,
+    slip_notice,
+    snap_notice,
+    twelfths,
+)
+from dhgen.robot.arithmetic import parse
+from dhgen.robot.expression import (
+    DEGREE,
+    ZERO,
+    Binary,
+    Call,
+    Expression,
+    Name,
+    Negate,
+    Pi,
+    evaluate,
+)
+from dhgen.robot.simplify import canonical
+from dhgen.robot.source import quoted
+from dhgen.robot.tokens import CellError, UnknownNameError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from dhgen.robot.reader import Path
+    from dhgen.robot.report import Report
+
+# Stands where a cell is wrong: that is reported, and its value NaN entails no further mistakes.
+INVALID = Name("?")
+
+
+class Cells:
+    """Reads cells, with the parameters of the file and its unit of angles."""
+
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.degrees = False
+        self._values: dict[str, float] = {INVALID.name: math.nan}
+        self._angles: set[str] = set()
+        self._later: set[str] = set()
+
+    def announce(self, names: Iterable[str]) -> None:
+        """Which parameters there will be, for the messages about cells that use them too early."""
+        self._later.update(names)
+
+    def define(self, name: str, expression: Expression) -> float:
+        """Make a parameter known to all cells that are read from now on."""
+        value = self._values[name] = self.value(expression)
+        if self._speaks_of_pi(expression):
+            self._angles.add(name)
+        return value
+
+    def value(self, expression: Expression) -> float:
+        """The value of an expression that `parse` accepted; NaN for INVALID."""
+        return evaluate(expression, self._values)
+
+    def parse(
+        self, path: Path, text: str, *, more: Mapping[str, float] | None = None
+    ) -> Expression:
+        """A cell as written; INVALID after a mistake, which is reported.
+
+        Args:
+            path: Where the cell stands.
+            text: What it says.
+            more: Further names that may occur, with their values.
+        """
+        known = {name: value for name, value in self._values.items() if name != INVALID.name}
+        try:
+            return parse(text, {**known, **(more or {})})
+        except CellError as error:
+            message = error.message
+            if isinstance(error, UnknownNameError) and error.name in self._later:
+                message = f"the parameter '{error.name}' is defined further down: move it up"
+            self.report.error(path, message, part=error.span)
+            return INVALID
+
+    def length(self, path: Path, text: str) -> Expression:
+        """A length; next to nothing is 0."""
+        return self.snap_length(path, text, self.parse(path, text))
+
+    def angle(self, path: Path, text: str) -> Expression:
+        """An angle in radians; a multiple of pi/12 is exact."""
+        return self.snap_angle(path, text, self.radians(self.parse(path, text)))
+
+    def ratio(self, path: Path, text: str) -> Expression:
+        """An entry of a rotation or of a direction; the cosine of an exact angle is exact."""
+        return self.snap_ratio(path, text, self.parse(path, text))
+
+    def radians(self, expression: Expression) -> Expression:
+        """A cell's angle in radians: in a file of degrees only what speaks of pi is so already."""
+        if not self.degrees or expression in (ZERO, INVALID) or self._speaks_of_pi(expression):
+            return expression
+        return Binary("*", expression, DEGREE)
+
+    def snap_length(self, path: Path, text: str, expression: Expression) -> Expression:
+        """The exact form of a length."""
+        value = self.value(expression)
+        if not abs(value) <= SNAP:
+            return expression
+        return self._snapped(path, text, value, ZERO)
+
+    def snap_angle(self, path: Path, text: str, expression: Expression) -> Expression:
+        """The exact form of an angle, or a notice when it looks like a slip."""
+        value = self.value(expression)
+        k = twelfths(value)
+        if k is not None:
+            return self._snapped(path, text, value, exact_angle(k))
+        if notice := slip_notice(value):
+            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+        return expression
+
+    def snap_ratio(self, path: Path, text: str, expression: Expression) -> Expression:
+        """The exact form of a number that may be a cosine."""
+        value = self.value(expression)
+        exact = _exact_ratio(expression, value)
+        return expression if exact is None else self._snapped(path, text, value, exact)
+
+    def exact_ratios(self, expressions: Iterable[Expression]) -> tuple[Expression, ...]:
+        """Computed entries of a rotation, with those exact that are so but for rounding."""
+        return tuple(_exact_ratio(e, self.value(e)) or e for e in expressions)
+
+    def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
+        if notice := snap_notice(value, self.value(exact), exact):
+            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+        return exact
+
+    def _speaks_of_pi(self, expression: Expression) -> bool:
+        match expression:
+            case Pi():
+                return True
+            case Name(name):
+                return name in self._angles
+            case Negate(operand) | Call("sqrt", operand):
+                return self._speaks_of_pi(operand)
+            case Binary(_, left, right):
+                return self._speaks_of_pi(left) or self._speaks_of_pi(right)
+            case _:
+                return False  # the argument of a sine says nothing about what the sine measures
+
+
+def _exact_ratio(expression: Expression, value: float) -> Expression | None:
+    """The exact number that an entry of a rotation is; None where there is none."""
+    if not abs(value) <= 1 + SNAP:
+        return None
+    k = round(math.acos(max(-1.0, min(1.0, value))) / (math.pi / 12))
+    exact = exact_cosine(k)
+    near = abs(value - evaluate(exact, {})) <= SNAP
+    return exact if near else canonical(expression)

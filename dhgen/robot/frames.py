@@ -1,0 +1,128 @@
+"""Constant frames: base, tool and home, from any of the ways of writing a rotation."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from dhgen.robot.angles import SNAP
+from dhgen.robot.expression import ZERO, Expression
+from dhgen.robot.robot import Frame
+from dhgen.robot.rotations import (
+    IDENTITY,
+    determinant,
+    dot,
+    from_quaternion,
+    from_rpy,
+    nearest_rotation,
+    numbers,
+    to_quaternion,
+)
+
+if TYPE_CHECKING:
+    from dhgen.robot.cells import Cells
+    from dhgen.robot.reader import Path
+    from dhgen.robot.rotations import Rows
+    from dhgen.robot.schema import FrameEntry
+
+IDENTITY_FRAME = Frame((ZERO, ZERO, ZERO), IDENTITY)
+
+_ROTATIONS = ("rpy", "quaternion_xyzw", "quaternion_wxyz", "matrix")
+_TOLERANCE = 1e-6  # what a matrix written with six digits is off
+_EXACT = 1e-12  # what a matrix written with all digits is off
+
+
+def read_frame(cells: Cells, path: Path, entry: FrameEntry) -> Frame:
+    """A frame as written; mistakes are reported.
+
+    Args:
+        cells: Reads the cells, and reports.
+        path: Where the frame stands.
+        entry: Its keys.
+    """
+    given = [key for key in _ROTATIONS if key in entry.model_fields_set]
+    for key in given[1:]:
+        message = f"'{given[0]}' gives the rotation already: write one of {', '.join(_ROTATIONS)}"
+        cells.report.error_at_key((*path, key), message)
+    if "matrix" in given:
+        if entry.xyz:
+            message = "'matrix' gives the translation already: write one of xyz, matrix"
+            cells.report.error_at_key((*path, "xyz"), message)
+        return _from_matrix(cells, (*path, "matrix"), entry.matrix)
+    xyz = read_lengths(cells, (*path, "xyz"), entry.xyz)
+    if "rpy" in given:
+        angles = [cells.angle((*path, "rpy", i), cell) for i, cell in enumerate(entry.rpy)]
+        return Frame(xyz, from_rpy(angles, [cells.value(angle) for angle in angles]))
+    for key, components in (("xyzw", entry.quaternion_xyzw), ("wxyz", entry.quaternion_wxyz)):
+        if components:
+            return Frame(
+                xyz, _from_quaternion(cells, (*path, f"quaternion_{key}"), key, components)
+            )
+    return Frame(xyz, IDENTITY)
+
+
+def read_lengths(
+    cells: Cells, path: Path, entry: list[str]
+) -> tuple[Expression, Expression, Expression]:
+    """Three lengths, the origin when there are none."""
+    if not entry:
+        return ZERO, ZERO, ZERO
+    x, y, z = (cells.length((*path, i), cell) for i, cell in enumerate(entry))
+    return x, y, z
+
+
+def _from_quaternion(
+    cells: Cells, path: Path, order: str, components: list[str]
+) -> tuple[Expression, ...]:
+    parsed = [cells.parse((*path, i), cell) for i, cell in enumerate(components)]
+    values = dict(zip(order, (cells.value(part) for part in parsed), strict=True))
+    norm = math.hypot(*values.values())
+    if math.isnan(norm):
+        return IDENTITY
+    if norm <= SNAP:
+        cells.report.error(path, "a quaternion of length 0 is no rotation")
+        return IDENTITY
+    if abs(norm - 1) > SNAP:
+        cells.report.notice(path, f"the quaternion has length {norm:.9g} and is normalised")
+    x, y, z, w = (Fraction(repr(values[c])) for c in "xyzw")
+    return cells.exact_ratios(numbers(from_quaternion(x, y, z, w)))
+
+
+def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
+    x, y, z = (cells.length((*path, i, 3), entry[i][3]) for i in range(3))
+    written = [[cells.ratio((*path, i, j), entry[i][j]) for j in range(3)] for i in range(3)]
+    bottom = [cells.value(cells.parse((*path, 3, j), entry[3][j])) for j in range(4)]
+    if any(abs(p - q) > SNAP for p, q in zip(bottom, (0, 0, 0, 1), strict=True)):
+        cells.report.error((*path, 3), "the last row of a frame's matrix is 0 0 0 1")
+    a, b, c = ((cells.value(p), cells.value(q), cells.value(r)) for p, q, r in written)
+    rows: Rows = (a, b, c)
+    deviation = _check_rotation(cells, path, rows)
+    if deviation > _EXACT:
+        message = f"the rotation is off by {deviation:.1e}; the nearest exact one is taken"
+        cells.report.notice(path, message)
+        quaternion = (Fraction(repr(value)) for value in to_quaternion(nearest_rotation(rows)))
+        return Frame((x, y, z), cells.exact_ratios(numbers(from_quaternion(*quaternion))))
+    return Frame((x, y, z), tuple(entry for row in written for entry in row))
+
+
+def _check_rotation(cells: Cells, path: Path, rows: Rows) -> float:
+    """How far the matrix is from a rotation; 0 after a mistake, which is reported."""
+    for i, row in enumerate(rows):
+        length = math.hypot(*row)
+        if abs(length - 1) > _TOLERANCE:
+            message = f"not orthonormal: the rotation's row {i + 1} has length {length:.9g}, not 1"
+            cells.report.error((*path, i), message)
+            return 0.0
+    products = {(i, j): dot(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))}
+    for (i, j), product in products.items():
+        if abs(product) > 2 * _TOLERANCE:
+            message = f"not orthonormal: rows {i + 1} and {j + 1} have product {product:.6g}, not 0"
+            cells.report.error((*path, j), message)
+            return 0.0
+    if determinant(rows) < 0:
+        cells.report.error(path, "the determinant is -1, not 1: this is a mirror, not a rotation")
+        return 0.0
+    lengths = (abs(math.hypot(*row) - 1) for row in rows)
+    deviation = max(*lengths, *(abs(product) / 2 for product in products.values()))
+    return 0.0 if math.isnan(deviation) else deviation

@@ -1,0 +1,80 @@
+"""The joints of a file: rows of a Denavit-Hartenberg table, or axes in the reference position."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from dhgen.robot.angles import SNAP
+from dhgen.robot.cells import INVALID
+from dhgen.robot.frames import read_lengths
+from dhgen.robot.robot import AxisJoint, DhRow, JointKind
+from dhgen.robot.variable import VARIABLE, Split, split
+
+if TYPE_CHECKING:
+    from dhgen.robot.cells import Cells
+    from dhgen.robot.expression import Expression
+    from dhgen.robot.reader import Path
+    from dhgen.robot.schema import AxisRow, JointRow
+
+
+def read_row(cells: Cells, path: Path, entry: JointRow) -> DhRow:
+    """A row of the table; mistakes are reported."""
+    theta = _split(cells, (*path, "theta"), entry.theta)
+    d = _split(cells, (*path, "d"), entry.d)
+    if INVALID not in (theta.offset, d.offset):
+        if theta.sign and d.sign:
+            cells.report.error((*path, "d"), "q stands in theta already: a joint has one variable")
+        elif not theta.sign and not d.sign:
+            message = "no variable: write q in theta (revolute) or in d (prismatic)"
+            cells.report.error(path, message)
+    kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE
+    offset = cells.radians(theta.offset)
+    return DhRow(
+        kind=kind,
+        sign=theta.sign or d.sign,
+        theta=cells.snap_angle((*path, "theta"), entry.theta, offset),
+        d=cells.snap_length((*path, "d"), entry.d, d.offset),
+        a=cells.length((*path, "a"), entry.a),
+        alpha=cells.angle((*path, "alpha"), entry.alpha),
+        limits=_limits(cells, (*path, "limits"), kind, entry.limits),
+    )
+
+
+def read_axis(cells: Cells, path: Path, entry: AxisRow) -> AxisJoint:
+    """An axis in the reference position; mistakes are reported."""
+    kind = JointKind(entry.type)
+    x, y, z = (cells.ratio((*path, "direction", i), cell) for i, cell in enumerate(entry.direction))
+    if math.hypot(*(cells.value(part) for part in (x, y, z))) <= SNAP:
+        cells.report.error((*path, "direction"), "a direction of length 0 is no axis")
+    if kind is JointKind.REVOLUTE and not entry.point:
+        cells.report.error(path, "the key 'point' is missing: a revolute joint turns about a line")
+    return AxisJoint(
+        kind=kind,
+        direction=(x, y, z),
+        point=read_lengths(cells, (*path, "point"), entry.point),
+        limits=_limits(cells, (*path, "limits"), kind, entry.limits),
+    )
+
+
+def _split(cells: Cells, path: Path, text: str) -> Split:
+    expression = cells.parse(path, text, more={VARIABLE.name: math.nan})
+    parts = split(expression)
+    if parts is None:
+        message = "q stands alone, with a sign or with an offset: q, -q, q + pi/2, pi - q"
+        cells.report.error(path, message)
+    return parts or Split(0, INVALID)
+
+
+def _limits(
+    cells: Cells, path: Path, kind: JointKind, entry: list[str]
+) -> tuple[float, float] | None:
+    if not entry:
+        return None
+    ends: list[Expression] = [cells.parse((*path, i), cell) for i, cell in enumerate(entry)]
+    if kind is JointKind.REVOLUTE:
+        ends = [cells.radians(end) for end in ends]
+    low, high = (cells.value(end) for end in ends)
+    if low >= high:
+        cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")
+    return low, high

@@ -1,0 +1,250 @@
+"""The shape of a robot file: its keys, and what each may hold. Editors get it as JSON Schema.
+
+`python -m dhgen.robot.schema FILE` writes the schema.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    WithJsonSchema,
+    model_validator,
+)
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+
+from dhgen.robot.names import MAX_ROBOT_NAME, why_no_robot_name, why_no_text
+
+if TYPE_CHECKING:
+    from pydantic_core.core_schema import WithDefaultSchema
+
+MAX_JOINTS = 64
+MAX_PARAMETERS = 256
+TASKS = ("pose", "position", "orientation", "pointing")
+COORDINATES = ("x", "y", "z")
+
+
+def _robot_name(name: str) -> str:
+    reason = why_no_robot_name(name)
+    if reason:
+        raise ValueError(f"the robot can't be called so: {reason}")
+    return name
+
+
+def _one_line(text: str) -> str:
+    # Folded and literal blocks of YAML end in a line end, and may hold some.
+    line = " ".join(part.strip() for part in text.strip().split("\n"))
+    reason = why_no_text(line, 2000)
+    if reason:
+        raise ValueError(f"this text can't be used: {reason}")
+    return line
+
+
+def _task(value: object) -> object:
+    if isinstance(value, list):
+        if (
+            not value
+            or not set(map(str, value)) <= set(COORDINATES)
+            or len(set(value)) < len(value)
+        ):
+            raise ValueError("a list of coordinates holds some of x, y, z, each once")
+        return value
+    if value not in TASKS:
+        raise ValueError(f"expected one of {', '.join(TASKS)}, or a list out of x, y, z")
+    return value
+
+
+_CELL = {"type": ["number", "string"]}
+Cell = Annotated[str, WithJsonSchema(_CELL)]
+Text = Annotated[str, AfterValidator(_one_line)]
+Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
+Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
+Limits = Annotated[list[Cell], Field(min_length=2, max_length=2)]
+Matrix = Annotated[list[Quadruple], Field(min_length=4, max_length=4)]
+Task = Annotated[
+    str | list[str],
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"enum": list(TASKS)},
+                {
+                    "type": "array",
+                    "items": {"enum": list(COORDINATES)},
+                    "minItems": 1,
+                    "uniqueItems": True,
+                },
+            ]
+        }
+    ),
+    BeforeValidator(_task),
+]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def _or_plain_matrix(schema: dict[str, Any]) -> None:
+    """A frame may also be the bare matrix."""
+    matrix = dict(schema["properties"]["matrix"])
+    frame = dict(schema)
+    schema.clear()
+    schema["anyOf"] = [frame, matrix]
+
+
+class FrameEntry(_Strict):
+    """A constant frame: a translation with at most one way of giving the rotation, or a matrix."""
+
+    model_config = ConfigDict(json_schema_extra=_or_plain_matrix)
+
+    xyz: Triple = Field(default=[], description="Origin: x, y, z [length].")
+    rpy: Triple = Field(
+        default=[],
+        description="Roll, pitch, yaw [angle] about fixed axes, as in URDF: R = Rz(yaw) Ry(pitch) "
+        "Rx(roll).",
+    )
+    quaternion_xyzw: Quadruple = Field(
+        default=[], description="Rotation as a quaternion, scalar last."
+    )
+    quaternion_wxyz: Quadruple = Field(
+        default=[], description="Rotation as a quaternion, scalar first."
+    )
+    matrix: Matrix = Field(
+        default=[
+            ["1", "0", "0", "0"],
+            ["0", "1", "0", "0"],
+            ["0", "0", "1", "0"],
+            ["0", "0", "0", "1"],
+        ],
+        description="Homogeneous 4x4 matrix, row by row; it replaces all other keys.",
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _plain_matrix(cls, value: object) -> object:
+        return {"matrix": value} if isinstance(value, list) else value
+
+
+class JointRow(_Strict):
+    """A row of a Denavit-Hartenberg table; exactly one of theta and d holds the variable q."""
+
+    theta: Cell = Field(default="0", description="Joint angle [angle]; q in it: a revolute joint.")
+    d: Cell = Field(default="0", description="Joint offset [length]; q in it: a prismatic joint.")
+    a: Cell = Field(default="0", description="Link length [length].")
+    alpha: Cell = Field(default="0", description="Twist [angle].")
+    limits: Limits = Field(
+        default=[], description="Lowest and highest q [angle or length, as q is]."
+    )
+
+
+class AxisRow(_Strict):
+    """A joint by its axis in the reference position (q = 0), in the base frame."""
+
+    type: Literal["revolute", "prismatic"] = Field(description="How the joint moves.")
+    direction: Triple = Field(description="Direction of the axis; any length but 0.")
+    point: Triple = Field(
+        default=[],
+        description="A point of the axis [length]; a prismatic joint needs none.",
+    )
+    limits: Limits = Field(
+        default=[], description="Lowest and highest q [angle or length, as q is]."
+    )
+
+
+class Units(_Strict):
+    """The units of the file. Lengths are not converted: the generated code has the same unit."""
+
+    length: Literal["m", "dm", "cm", "mm", "um", "in", "ft"] = Field(
+        default="m", description="What lengths are given in."
+    )
+    angle: Literal["rad", "deg"] = Field(
+        default="rad",
+        description="What angles are given in, where neither pi nor deg occurs. The argument of "
+        "sin and cos is always in radians.",
+    )
+
+
+class RobotFile(_Strict):
+    """A robot for dhgen."""
+
+    name: Annotated[str, AfterValidator(_robot_name)] = Field(
+        description="Identifier: names the generated files and the C functions.",
+        json_schema_extra={"pattern": "^[A-Za-z][A-Za-z0-9_]*$", "maxLength": MAX_ROBOT_NAME},
+    )
+    title: Text = Field(default="", description="What a person calls the robot.")
+    source: Text = Field(default="", description="Where the numbers come from.")
+    convention: Literal["standard", "modified"] = Field(
+        default="standard",
+        description="standard: Rz(theta) Tz(d) Tx(a) Rx(alpha); modified: Rx(alpha) Tx(a) "
+        "Rz(theta) Tz(d).",
+    )
+    parameters: dict[str, Cell] = Field(
+        default={},
+        max_length=MAX_PARAMETERS,
+        description="Named numbers, e.g. link lengths; each may use those before it.",
+    )
+    joints: list[JointRow] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_JOINTS,
+        description="The Denavit-Hartenberg table, from the base to the tool.",
+    )
+    axes: list[AxisRow] = Field(
+        default=[],
+        min_length=1,
+        max_length=MAX_JOINTS,
+        description="Instead of joints: the axes in the reference position.",
+    )
+    home: FrameEntry = Field(
+        default=FrameEntry(),
+        description="With axes: pose of the last frame in the reference position.",
+    )
+    base: FrameEntry = Field(
+        default=FrameEntry(), description="Pose of the arm in BASE: Z in Z T E."
+    )
+    tool: FrameEntry = Field(
+        default=FrameEntry(), description="Pose of TOOL in the last frame: E in Z T E."
+    )
+    task: Task = Field(
+        default="pose",
+        description="What of the pose the caller means: pose, position, orientation, pointing "
+        "(position and the tool's z axis), or a list out of x, y, z.",
+    )
+    free: list[int] = Field(
+        default=[], description="Joints, from 1, whose value the caller gives, in ascending order."
+    )
+    units: Units = Field(default=Units(), description="Units of lengths and angles.")
+
+
+class _EditorSchema(GenerateJsonSchema):
+    """Without titles, which only repeat the keys, and defaults, which only say "left out"."""
+
+    def field_title_should_be_set(self, schema: object) -> bool:  # noqa: ARG002
+        return False
+
+    def default_schema(self, schema: WithDefaultSchema) -> JsonSchemaValue:
+        described = super().default_schema(schema)
+        if not isinstance(described.get("default"), str):
+            described.pop("default", None)
+        return described
+
+
+def schema_text() -> str:
+    """The JSON Schema of robot files, as it is committed for editors."""
+    schema = RobotFile.model_json_schema(schema_generator=_EditorSchema)
+    schema["$schema"] = _EditorSchema.schema_dialect
+    schema["oneOf"] = [{"required": ["joints"]}, {"required": ["axes"]}]
+    return json.dumps(schema, indent=2, sort_keys=True) + "\n"
+
+
+if __name__ == "__main__":
+    target = Path(sys.argv[1] if len(sys.argv) > 1 else "robots/robot.schema.json")
+    target.write_text(schema_text(), encoding="utf-8")

@@ -1,0 +1,123 @@
+"""A file's shape against the schema: unknown keys, missing keys, lists of the wrong length."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from dhgen.robot.arithmetic import nearest
+from dhgen.robot.schema import MAX_JOINTS, AxisRow, FrameEntry, JointRow, RobotFile, Units
+from dhgen.robot.source import quoted
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from pydantic_core import ErrorDetails
+
+    from dhgen.robot.reader import Path
+    from dhgen.robot.report import Report
+
+Model = TypeVar("Model", bound=BaseModel)
+
+_MODELS: Mapping[str, type[BaseModel]] = {
+    "joints": JointRow,
+    "axes": AxisRow,
+    "home": FrameEntry,
+    "base": FrameEntry,
+    "tool": FrameEntry,
+    "units": Units,
+}
+
+
+class Shape:
+    """Which sections of a file have the shape that the schema asks for.
+
+    A section with a mistake doesn't hide the mistakes of the others: each is read by itself.
+    """
+
+    def __init__(self, report: Report) -> None:
+        self._document = report.document
+        self._wrong: set[Path] = set()
+        self._unchecked: set[Path] = set()
+        self.file: RobotFile | None = None
+        try:
+            self.file = RobotFile.model_validate(self._document.plain())
+        except ValidationError as error:
+            for details in error.errors(include_url=False):
+                _report(report, details)
+                path = details["loc"]
+                self._unchecked.add(path)
+                self._wrong.update(path[:end] for end in range(len(path) + 1))
+
+    def section(self, path: Path, model: type[Model]) -> Model | None:
+        """The section at a path; None when its shape is wrong, which is reported already.
+
+        A section that the file leaves out has its defaults.
+        """
+        if not self.right(path):
+            return None
+        value = self._document.plain(path) if self._document.has(path) else {}
+        return model.model_validate(value)
+
+    def right(self, path: Path) -> bool:
+        """Whether all at and below a path has the right shape."""
+        # Below a list that is too long, for one, nothing has been looked at.
+        above = (path[:end] for end in range(len(path) + 1))
+        return path not in self._wrong and not any(p in self._unchecked for p in above)
+
+
+def _report(report: Report, details: ErrorDetails) -> None:
+    path = details["loc"]
+    if details["type"] == "extra_forbidden":
+        key = str(path[-1])
+        report.error_at_key(path, f"unknown key {quoted(key)}{nearest(key, _valid_keys(path))}")
+    elif details["type"] == "missing":
+        report.error(path, f"the key '{path[-1]}' is missing")
+    elif details["type"] in {"too_long", "too_short"}:
+        report.error(path, _length_message(path, details))
+    else:
+        report.error(path, _message(details))
+
+
+def _valid_keys(path: Path) -> tuple[str, ...]:
+    model = RobotFile if len(path) == 1 else _MODELS[str(path[0])]
+    return tuple(model.model_fields)
+
+
+def _length_message(path: Path, details: ErrorDetails) -> str:
+    context = details.get("ctx", {})
+    count = context.get("actual_length")
+    bound = context.get("min_length", context.get("max_length"))
+    if path[-1] in {"joints", "axes"}:
+        return f"a robot has 1 to {MAX_JOINTS} joints, not {count}"
+    if path[-1] == "parameters":
+        return f"a robot has at most {bound} parameters"
+    return f"expected {bound} values, not {count}"
+
+
+_EXPECTED = {
+    "string_type": "a number, an expression or a text",
+    "list_type": "a list",
+    "model_type": "keys with values",
+    "dict_type": "keys with values",
+    "int_parsing": "a joint number",
+    "int_parsing_size": "a joint number",
+    "int_type": "a joint number",
+}
+
+
+def _message(details: ErrorDetails) -> str:
+    context = details.get("ctx", {})
+    given = details["input"]
+    shown = quoted(given) if isinstance(given, str) else _kind(given)
+    if details["type"] == "value_error":
+        return f"{shown}: {context['error']}"
+    expected = context.get("expected") or _EXPECTED.get(details["type"])
+    return f"expected {expected}, not {shown}" if expected else f"{details['msg']}, not {shown}"
+
+
+def _kind(given: object) -> str:
+    if given is None:
+        return "nothing"
+    return "a list" if isinstance(given, list) else "keys with values"

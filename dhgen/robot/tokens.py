@@ -1,0 +1,86 @@
+"""The words of a cell: they are checked first, so that Python's parser sees nothing surprising."""
+
+from __future__ import annotations
+
+import re
+
+from dhgen.robot.source import Span, quoted
+
+MAX_LENGTH = 200
+MAX_DIGITS = 30
+MAX_DECIMAL_EXPONENT = 30
+ALLOWED = "numbers, pi, deg, parameters, sqrt, sin, cos, + - * / ** and parentheses"
+
+_NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+_TOKEN = re.compile(
+    r"(?P<space>\ +)"
+    rf"|(?P<number>{_NUMBER})(?P<glued>\w*)"
+    r"|(?P<name>[A-Za-z_]\w*)"
+    r"|(?P<operator>\*\*|[-+*/()])",
+    re.ASCII,
+)
+_DEGREES = re.compile(rf"(?<![\w.])({_NUMBER}\ *)\ (?=deg\b)", re.ASCII)
+_LOOKALIKES = {"−": "-", "–": "-", "×": "*", "·": "*", "÷": "/", "°": " deg", "π": "pi", "^": "**"}
+
+
+class CellError(Exception):
+    """What a cell can't say, with the place in its text."""
+
+    def __init__(self, message: str, span: Span) -> None:
+        super().__init__(message)
+        self.message = message
+        self.span = span
+
+
+class UnknownNameError(CellError):
+    """A name that is no parameter so far."""
+
+    def __init__(self, name: str, message: str, span: Span) -> None:
+        super().__init__(message, span)
+        self.name = name
+
+
+def check_tokens(text: str) -> None:
+    """Refuse every text that is not made of numbers, names and operators.
+
+    Raises:
+        CellError: At the first place that is none of them, or a number out of all proportion.
+    """
+    if len(text) > MAX_LENGTH:
+        raise CellError(f"a cell has at most {MAX_LENGTH} characters", Span(0, MAX_LENGTH))
+    if not text.strip(" "):
+        raise CellError("an empty cell: write 0", Span(0))
+    position = 0
+    while position < len(text):
+        match = _TOKEN.match(text, position)
+        if match is None:
+            raise CellError(_stray(text[position]), Span(position))
+        number, glued = match["number"], match["glued"]
+        if glued:
+            message = f"{quoted(number + glued)} is no number; between factors stands a *"
+            raise CellError(message, Span(position, len(number + glued)))
+        if number:
+            _check_number(number, position)
+        position = match.end()
+
+
+def multiply_degrees(text: str) -> str:
+    """`10 deg` as `10*deg`: the space becomes the sign, so that every column stays what it was."""
+    return _DEGREES.sub(r"\1*", text)
+
+
+def _stray(character: str) -> str:
+    meant = _LOOKALIKES.get(character)
+    hint = f"write '{meant}'" if meant else f"allowed are {ALLOWED}"
+    return f"{quoted(character)} (U+{ord(character):04X}) can't stand in a cell: {hint}"
+
+
+def _check_number(number: str, position: int) -> None:
+    span = Span(position, len(number))
+    mantissa, _, exponent = number.lower().partition("e")
+    if len(mantissa) > MAX_DIGITS:
+        raise CellError(f"a number has at most {MAX_DIGITS} digits", span)
+    if len(exponent) > 4 or (exponent and abs(int(exponent)) > MAX_DECIMAL_EXPONENT):
+        raise CellError(f"a decimal exponent is at most {MAX_DECIMAL_EXPONENT}", span)
+    if re.match(r"0\d", mantissa) and mantissa.isdigit() and not exponent:
+        raise CellError("a number does not start with 0", span)
