@@ -31,7 +31,7 @@ MOST_BATCHES = 40
 STEPS = 60
 CONVERGED = 1e-20  # squared residual, lengths in units of the arm
 STATIONARY = 1e-10  # squared gradient per squared residual: a minimum that is no solution
-MOST_DAMPING = 1e8
+LEAST_DAMPING, MOST_DAMPING = 1e-12, 1e8
 POLISHING_STEPS = 12
 POLISHED = 1e-12  # residual of every solution, lengths in units of the arm
 
@@ -88,7 +88,7 @@ def solve(robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int
         quiet = quiet + 1 if len(regular) == known else 0
         if quiet >= QUIET_BATCHES and np.all(met >= TIMES_MET):
             break
-    return Found(_sorted(regular * problem.units), _sorted(singular * problem.units))
+    return Found(_handed_out(problem, regular), _handed_out(problem, singular))
 
 
 def _descend(problem: Problem, q: FloatArray) -> FloatArray:
@@ -113,7 +113,7 @@ def _descend(problem: Problem, q: FloatArray) -> FloatArray:
         q = np.where(better[:, None], trial, q)
         error = np.where(better[:, None], trial_error, error)
         J = np.where(better[:, None, None], trial_J, J)
-        damping = np.where(better, damping / 8, damping * 5)
+        damping = np.where(better, np.maximum(damping / 8, LEAST_DAMPING), damping * 5)
     return np.concatenate(arrived)
 
 
@@ -161,13 +161,18 @@ def _merge(
 def _wrapped(problem: Problem, q: FloatArray) -> FloatArray:
     """Revolute joints modulo a turn, into (-pi, pi]."""
     turned = -np.remainder(-q + np.pi, 2 * np.pi) + np.pi
-    return np.where(problem.model.revolute, turned, q)
+    outside = (q > np.pi) | (q <= -np.pi)
+    return np.where(problem.model.revolute & outside, turned, q)
 
 
-def _sorted(q: FloatArray) -> FloatArray:
+def _handed_out(problem: Problem, q: FloatArray) -> FloatArray:
+    """In the file's units, the free joints exactly as given, and in order."""
+    free = np.setdiff1d(np.arange(q.shape[1]), problem.moving)
+    q[:, free] = problem.q[free]
     # rounded first, so that digits beyond the accuracy do not decide the order
-    ordered: FloatArray = q[np.lexsort(np.round(q.T, 6)[::-1])]
-    return ordered
+    order = np.lexsort(np.round(q.T, 6)[::-1])
+    handed_out: FloatArray = q[order] * problem.units
+    return handed_out
 
 
 def _squares(v: FloatArray) -> FloatArray:

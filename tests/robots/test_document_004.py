@@ -1,0 +1,67 @@
+"""The matrices U and the inverse of document 004 (RRPRRR), against the robot file."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tests.oracle.forward import forward
+from tests.oracle.poses import random_joints
+from tests.robots.cases import assert_close, c, joint_vectors, robot, s
+
+if TYPE_CHECKING:
+    from tests.oracle.arm import FloatArray
+
+
+def test_wrist_is_t36_from_both_sides() -> None:
+    for q in joint_vectors("rrprrr"):
+        q1, q2, q3, q4, q5, q6 = q
+        c1, s1, c2, s2 = c(q1), s(q1), c(q2), s(q2)
+        c4, s4, c5, s5, c6, s6 = c(q4), s(q4), c(q5), s(q5), c(q6), s(q6)
+        (t11, _, t13, t14), (t21, _, t23, t24), (t31, _, t33, t34) = forward(robot("rrprrr"), q)[:3]
+        from_joints = [
+            [c4 * c5 * c6 - s4 * s6, c4 * s5, 0],
+            [s4 * c5 * c6 + c4 * s6, s4 * s5, 0],
+            [-s5 * c6, c5, 0],
+        ]
+        from_pose = [
+            [
+                c2 * (c1 * t11 + s1 * t21) + s2 * t31,
+                c2 * (c1 * t13 + s1 * t23) + s2 * t33,
+                c2 * (c1 * t14 + s1 * t24) + s2 * t34,
+            ],
+            [s1 * t11 - c1 * t21, s1 * t13 - c1 * t23, s1 * t14 - c1 * t24],
+            [
+                s2 * (c1 * t11 + s1 * t21) - c2 * t31,
+                s2 * (c1 * t13 + s1 * t23) - c2 * t33,
+                s2 * (c1 * t14 + s1 * t24) - c2 * t34 - q3,
+            ],
+        ]
+        assert_close(from_pose, from_joints)
+
+
+def test_inverse_by_the_document_gives_the_pose_eight_times() -> None:
+    for q in random_joints(robot("rrprrr"), 20):
+        T = forward(robot("rrprrr"), q)
+        for signs in product((1, -1), repeat=3):
+            assert_close(forward(robot("rrprrr"), document_inverse(T, *signs)), T, 1e3)
+
+
+def document_inverse(T: FloatArray, e1: int, e2: int, e5: int) -> list[float]:
+    """The algorithm away from the singular poses."""
+    (t11, _, t13, t14), (t21, _, t23, t24), (t31, _, t33, t34) = T[:3]
+    D = e1 * np.hypot(t14, t24)
+    s1, c1 = t24 / D, t14 / D
+    F = np.hypot(D, t34)
+    s2, c2 = e2 * D / F, -e2 * t34 / F
+    q3 = s2 * D - c2 * t34
+    A1, A2 = c2 * (c1 * t11 + s1 * t21) + s2 * t31, c2 * (c1 * t13 + s1 * t23) + s2 * t33
+    A3, A4 = s1 * t11 - c1 * t21, s1 * t13 - c1 * t23
+    A5, A6 = s2 * (c1 * t11 + s1 * t21) - c2 * t31, s2 * (c1 * t13 + s1 * t23) - c2 * t33
+    s5 = e5 * np.sqrt(1 - A6**2)
+    s4, c4, c6 = A4 / s5, A2 / s5, -A5 / s5
+    s6 = -A1 * s4 + A3 * c4
+    angles = [np.arctan2(s4, c4), np.arctan2(s5, A6), np.arctan2(s6, c6)]
+    return [np.arctan2(s1, c1), np.arctan2(s2, c2), q3, *angles]
