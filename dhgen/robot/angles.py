@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Literal
 
 from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Number, Pi, to_text
 from dhgen.robot.simplify import negate
@@ -11,6 +12,10 @@ from dhgen.robot.surds import Surd
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
 SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
+LARGEST_ANGLE = (
+    1e4  # beyond, doubles are too coarse to tell a multiple of pi/12 from its neighbours
+)
+LARGEST_LENGTH = 1e9  # beyond, products of lengths leave the range where 1e-9 means anything
 ROUNDING = 1e-15  # what arithmetic with doubles loses for a value of about 1
 
 _TWELFTH = math.pi / 12
@@ -74,13 +79,21 @@ def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
     return f"is {distance:.1e} away from {to_text(meant)} and taken as {to_text(meant)}"
 
 
-def slip_notice(value: float) -> str | None:
-    """What the user is told about an angle that is nearly, but not exactly, a multiple of pi/2."""
+def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
+    """What the user is told about an angle that is nearly, but not exactly, a multiple of pi/2.
+
+    Args:
+        value: The angle in radians.
+        unit: How the file says angles: with pi, with the word deg, or as plain degrees.
+    """
     if not math.isfinite(value):
         return None
     quarters = round(value / (math.pi / 2))
     distance = abs(value - quarters * math.pi / 2)
     if not SNAP < distance <= SLIP:
         return None
-    meant = to_text(exact_angle(6 * quarters))
-    return f"is {distance:.1e} away from {meant}: write {meant} if that is meant"
+    meant = (
+        to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
+    )
+    shown = distance if unit == "pi" else math.degrees(distance)
+    return f"is {shown:.1e} away from {meant}: write {meant} if that is meant"

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from dhgen.robot.expression import Expression, Operator
 
-MAX_DEPTH = 32
+MAX_DEPTH = 64
 MAX_EXPONENT = 8
 # Powers of powers grow beyond every bound when a later stage writes them out exactly.
 MAX_DEGREE = 64
@@ -83,7 +83,7 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
 
 def nearest(word: str, valid: tuple[str, ...]) -> str:
     """The end of a message about a wrong word: what was probably meant, and what is possible."""
-    close = difflib.get_close_matches(word, valid, n=1, cutoff=0.7)
+    close = difflib.get_close_matches(word, valid, n=1, cutoff=0.7) if len(word) <= 40 else []
     meant = f"; did you mean '{close[0]}'?" if close else ";"
     shown = ", ".join(valid[:16]) + (", ..." if len(valid) > 16 else "")
     return f"{meant} valid: {shown}"

@@ -70,7 +70,7 @@ class _Assembly:
         )
 
     def _parameters(self) -> tuple[Parameter, ...]:
-        plain = self.document.plain(("parameters",)) if self._has("parameters") else {}
+        plain = self.document.plain(("parameters",)) if self.document.has("parameters") else {}
         entries = plain if isinstance(plain, dict) else {}
         self.cells.announce(entries)
         parameters = []
@@ -85,11 +85,11 @@ class _Assembly:
         return tuple(parameters)
 
     def _geometry(self) -> DhTable | ReferenceAxes | None:
-        if self._has("joints") and self._has("axes"):
+        if self.document.has("joints") and self.document.has("axes"):
             self.report.error_at_key(("axes",), "a robot has joints or axes, not both")
-        elif self._has("axes"):
+        elif self.document.has("axes"):
             return self._axes()
-        elif not self._has("joints"):
+        elif not self.document.has("joints"):
             message = (
                 "no joints: write them as 'joints' (a table) or as 'axes' (reference position)"
             )
@@ -97,7 +97,7 @@ class _Assembly:
         return self._table()
 
     def _table(self) -> DhTable:
-        if self._has("home") and not self._has("axes"):
+        if self.document.has("home") and not self.document.has("axes"):
             self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
         paths = [("joints", i) for i in range(self._count("joints"))]
         entries = [(path, self.shape.section(path, JointRow)) for path in paths]
@@ -106,7 +106,7 @@ class _Assembly:
         return DhTable(Convention(file.convention if file else "standard"), rows)
 
     def _axes(self) -> ReferenceAxes:
-        if self._has("convention"):
+        if self.document.has("convention"):
             message = "'convention' goes with 'joints'; 'axes' need none"
             self.report.error_at_key(("convention",), message)
         paths = [("axes", i) for i in range(self._count("axes"))]
@@ -119,7 +119,7 @@ class _Assembly:
         return read_frame(self.cells, (key,), entry) if entry else IDENTITY_FRAME
 
     def _free(self, joints: int) -> tuple[int, ...]:
-        plain = self.document.plain(("free",)) if self._has("free") else []
+        plain = self.document.plain(("free",)) if self.document.has("free") else []
         if not isinstance(plain, list) or not self.shape.right(("free",)):
             return ()
         free = [int(number) for number in plain]
@@ -132,11 +132,8 @@ class _Assembly:
                 self.report.error(("free", i), message)
         return tuple(free)
 
-    def _has(self, key: str) -> bool:
-        return self.document.has((key,))
-
     def _count(self, key: str) -> int:
-        value = self.document.plain((key,)) if self._has(key) else []
+        value = self.document.plain((key,)) if self.document.has(key) else []
         return len(value) if isinstance(value, list) else 0
 
 

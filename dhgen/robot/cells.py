@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Literal
 
 from dhgen.robot.angles import (
+    LARGEST_ANGLE,
+    LARGEST_LENGTH,
     SNAP,
     exact_angle,
     exact_cosine,
@@ -105,29 +108,37 @@ class Cells:
     def snap_length(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of a length."""
         value = self.value(expression)
-        if not abs(value) <= SNAP:
-            return expression
-        return self._snapped(path, text, value, ZERO)
+        if abs(value) > LARGEST_LENGTH:
+            self.report.error(path, f"the length {value:.6g} is beyond {LARGEST_LENGTH:.0e}")
+        return self._snapped(path, text, value, ZERO) if abs(value) <= SNAP else expression
 
     def snap_angle(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of an angle, or a notice when it looks like a slip."""
         value = self.value(expression)
-        k = twelfths(value)
-        if k is not None:
+        if abs(value) > LARGEST_ANGLE:
+            self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
+        elif (k := twelfths(value)) is not None:
             return self._snapped(path, text, value, exact_angle(k))
-        if notice := slip_notice(value):
+        elif notice := slip_notice(value, self._unit(text)):
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return expression
 
     def snap_ratio(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of a number that may be a cosine."""
         value = self.value(expression)
+        if abs(value) > LARGEST_LENGTH:
+            self.report.error(path, f"the value {value:.6g} is beyond {LARGEST_LENGTH:.0e}")
         exact = _exact_ratio(expression, value)
         return expression if exact is None else self._snapped(path, text, value, exact)
 
     def exact_ratios(self, expressions: Iterable[Expression]) -> tuple[Expression, ...]:
         """Computed entries of a rotation, with those exact that are so but for rounding."""
         return tuple(_exact_ratio(e, self.value(e)) or e for e in expressions)
+
+    def _unit(self, text: str) -> Literal["pi", "deg", ""]:
+        if re.search(r"\bdeg\b", text):
+            return "deg"
+        return "" if self.degrees and not re.search(r"\bpi\b", text) else "pi"
 
     def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
         if notice := snap_notice(value, self.value(exact), exact):

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.assemble import assemble
-from dhgen.robot.reader import MAX_CHARACTERS, read_document
+from dhgen.robot.reader import MAX_BYTES, read_document
 from dhgen.robot.report import Report
+from dhgen.robot.source import SourceText, Span
 
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
@@ -27,16 +28,18 @@ def load(path: str | os.PathLike[str]) -> Robot:
     name = os.fspath(path)
     try:
         with Path(path).open("rb") as file:
-            content = file.read(4 * MAX_CHARACTERS + 1)
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        message = f"line {line} is not UTF-8: save the file in that encoding"
-        raise RobotFileError((Diagnostic(name, 0, 0, message),)) from None
+            content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        message = f"the file can't be read: {reason}"
-        raise RobotFileError((Diagnostic(name, 0, 0, message),)) from None
+        raise _refusal(Diagnostic(name, 0, 0, f"the file can't be read: {reason}")) from None
+    if len(content) > MAX_BYTES:
+        raise _refusal(Diagnostic(name, 0, 0, f"a robot file has at most {MAX_BYTES // 1024} KiB"))
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        source = SourceText.of(content.decode("utf-8", "replace"), name)
+        place = Span(len(content[: error.start].decode("utf-8")))
+        raise _refusal(source.point(place, "the file is not UTF-8: save it so")) from None
     return load_text(text, name)
 
 
@@ -50,8 +53,12 @@ def load_text(text: str, file_name: str) -> Robot:
     Raises:
         RobotFileError: The text describes no robot: all its mistakes at once.
     """
-    report = Report(read_document(text, file_name))
+    report = Report(read_document(text.removeprefix("\ufeff"), file_name))
     robot = assemble(report)
     if report.errors or robot is None:
         raise RobotFileError(report.errors)
     return robot
+
+
+def _refusal(diagnostic: Diagnostic) -> RobotFileError:
+    return RobotFileError((diagnostic,))

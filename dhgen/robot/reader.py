@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from ruamel.yaml.error import StreamMark
     from ruamel.yaml.events import Event
 
-MAX_CHARACTERS = 256 * 1024
-MAX_NODES = 8_000  # 64 joints with every cell and limit, 256 parameters and all frames: about 2 000
+MAX_BYTES = 256 * 1024
+MAX_EVENTS = 5_000  # 64 joints with every cell and limit, 128 parameters, all frames: about 2 000
 MAX_DEPTH = 12
 
 Path = tuple[str | int, ...]
@@ -37,6 +37,9 @@ _FORBIDDEN = re.compile(
 _NULL = "tag:yaml.org,2002:null"
 
 
+_Pairs = dict[str, tuple[ScalarNode, Node]]
+
+
 @dataclass(frozen=True, slots=True)
 class Document:
     """A robot file as nodes.
@@ -44,11 +47,13 @@ class Document:
     Attributes:
         source: Its text.
         root: Its outermost mapping.
+        pairs: Keys and values of every mapping, by the node's id; of a repeated key the first.
         mistakes: What is wrong with it so far (a key given twice, a key that is no text).
     """
 
     source: SourceText
     root: MappingNode
+    pairs: dict[int, _Pairs]
     mistakes: tuple[Diagnostic, ...]
 
     def find(self, path: Path) -> tuple[ScalarNode | None, Node]:
@@ -60,19 +65,27 @@ class Document:
         node: Node = self.root
         for step in path:
             if isinstance(node, MappingNode):
-                key, node = _pairs(node).get(str(step), (key, node))
+                key, node = self.pairs[id(node)].get(str(step), (key, node))
             elif isinstance(node, SequenceNode) and isinstance(step, int):
                 key, node = None, node.value[step]
         return key, node
 
-    def has(self, path: Path) -> bool:
-        """Whether the file has a value at a path of keys."""
-        inner = self.plain(path[:-1])
-        return not path or (path[-1] in inner if isinstance(inner, dict) else True)
+    def has(self, key: str) -> bool:
+        """Whether the file has a key of its outermost level."""
+        return key in self.pairs[id(self.root)]
 
     def plain(self, path: Path = ()) -> object:
-        """The value at a path as dicts, lists, texts and None; of a repeated key the first."""
-        return _plain(self.find(path)[1])
+        """The value at a path as dicts, lists, texts and None."""
+        return self._plain(self.find(path)[1])
+
+    def _plain(self, node: Node) -> object:
+        if isinstance(node, SequenceNode):
+            return [self._plain(item) for item in node.value]
+        if isinstance(node, MappingNode):
+            pairs = self.pairs[id(node)]
+            return {text: self._plain(value) for text, (_, value) in pairs.items()}
+        scalar = cast("ScalarNode", node)
+        return None if _is_null(scalar) else str(scalar.value)
 
 
 def read_document(text: str, file: str) -> Document:
@@ -91,13 +104,16 @@ def read_document(text: str, file: str) -> Document:
         raise RobotFileError((_syntax_error(source, error),)) from None
     except YAMLError as error:
         raise _whole(source, f"this is no YAML: {error}") from None
-    if root is None:
+    except (ValueError, OverflowError):  # an escape like \\UFFFFFFFF, beyond Unicode
+        raise _whole(source, "this is no YAML: an escape names no character") from None
+    if root is None or _is_null(root):
         raise _whole(source, "the file is empty")
     if not isinstance(root, MappingNode):
         raise RobotFileError(
             (source.point(span_of(root), "expected keys with values, e.g. 'name: puma560'"),)
         )
-    return Document(source, root, tuple(_key_mistakes(source, root)))
+    pairs, mistakes = _index(source, root)
+    return Document(source, root, pairs, tuple(mistakes))
 
 
 def span_of(node: Node) -> Span:
@@ -111,8 +127,8 @@ def _whole(source: SourceText, message: str) -> RobotFileError:
 
 
 def _check_characters(source: SourceText) -> None:
-    if len(source.text) > MAX_CHARACTERS:
-        raise _whole(source, f"a robot file has at most {MAX_CHARACTERS} characters")
+    if len(source.text) > MAX_BYTES:
+        raise _whole(source, f"a robot file has at most {MAX_BYTES // 1024} KiB")
     found = _FORBIDDEN.search(source.text)
     if found:
         message = f"the character U+{ord(found[0]):04X} can't stand in a robot file"
@@ -127,8 +143,8 @@ def _check_events(source: SourceText) -> None:
         depth += isinstance(event, CollectionStartEvent) - isinstance(event, CollectionEndEvent)
         documents += isinstance(event, DocumentStartEvent)
         message = _refusal(event)
-        if count > MAX_NODES:
-            message = f"a robot file has at most {MAX_NODES} values"
+        if count > MAX_EVENTS:
+            message = "more keys and values than any robot has"
         elif depth > MAX_DEPTH:
             message = f"nested more than {MAX_DEPTH} deep"
         elif documents > 1:
@@ -142,11 +158,11 @@ def _refusal(event: Event) -> str | None:
     """Why a robot file can't hold this, or None."""
     match event:
         case AliasEvent():
-            what = f"aliases (*{event.anchor})"
+            what = f"aliases ({quoted('*' + event.anchor)})"
         case DocumentStartEvent() if event.tags or event.version:
             what = "YAML directives (%)"
         case ScalarEvent() | CollectionStartEvent() if event.anchor:
-            what = f"anchors (&{event.anchor})"
+            what = f"anchors ({quoted('&' + event.anchor)})"
         case ScalarEvent() | CollectionStartEvent() if event.tag is not None:
             what = "tags (!)"
         case ScalarEvent(value="<<") if event.implicit[0]:
@@ -157,13 +173,16 @@ def _refusal(event: Event) -> str | None:
 
 
 def _syntax_error(source: SourceText, error: MarkedYAMLError) -> Diagnostic:
+    end = len(source.text.rstrip())
     mark = cast("StreamMark | None", error.problem_mark or error.context_mark)
     context = f" {error.context}" if error.context else ""
     message = f"this is no YAML: {error.problem or 'unreadable'}{context}"
-    return source.point(Span(mark.index if mark else 0), " ".join(message.split()))
+    return source.point(Span(min(mark.index, end) if mark else 0), " ".join(message.split()))
 
 
-def _key_mistakes(source: SourceText, root: Node) -> list[Diagnostic]:
+def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diagnostic]]:
+    """Keys and values of every mapping, and the keys that can't be."""
+    pairs: dict[int, _Pairs] = {}
     mistakes: list[Diagnostic] = []
     pending: list[Node] = [root]
     while pending:
@@ -172,32 +191,19 @@ def _key_mistakes(source: SourceText, root: Node) -> list[Diagnostic]:
             pending.extend(node.value)
         if not isinstance(node, MappingNode):
             continue
-        first: dict[str, int] = {}
+        known = pairs[id(node)] = {}
         for key, value in node.value:
             pending.append(value)
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
-            elif key.value in first:
-                message = f"duplicate key {quoted(key.value)}: line {first[key.value]} has it too"
+            elif key.value in known:
+                line = known[key.value][0].start_mark.line + 1
+                message = f"duplicate key {quoted(key.value)}: line {line} has it too"
                 mistakes.append(source.point(span_of(key), message))
             else:
-                first[key.value] = key.start_mark.line + 1
-    return mistakes
+                known[key.value] = (key, value)
+    return pairs, mistakes
 
 
-def _pairs(node: MappingNode) -> dict[str, tuple[ScalarNode, Node]]:
-    """Keys and values by the text of the key; of a repeated key the first."""
-    pairs: dict[str, tuple[ScalarNode, Node]] = {}
-    for key, value in node.value:
-        if isinstance(key, ScalarNode):
-            pairs.setdefault(key.value, (key, value))
-    return pairs
-
-
-def _plain(node: Node) -> object:
-    if isinstance(node, SequenceNode):
-        return [_plain(item) for item in node.value]
-    if isinstance(node, MappingNode):
-        return {text: _plain(value) for text, (_, value) in _pairs(node).items()}
-    scalar = cast("ScalarNode", node)
-    return None if scalar.tag == _NULL and scalar.style is None else str(scalar.value)
+def _is_null(node: Node) -> bool:
+    return isinstance(node, ScalarNode) and node.tag == _NULL and node.style is None

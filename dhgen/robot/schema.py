@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pydantic_core.core_schema import WithDefaultSchema
 
 MAX_JOINTS = 64
-MAX_PARAMETERS = 256
+MAX_PARAMETERS = 128
 TASKS = ("pose", "position", "orientation", "pointing")
 COORDINATES = ("x", "y", "z")
 

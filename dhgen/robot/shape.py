@@ -57,7 +57,7 @@ class Shape:
         """
         if not self.right(path):
             return None
-        value = self._document.plain(path) if self._document.has(path) else {}
+        value = self._document.plain(path) if self._document.has(str(path[0])) else {}
         return model.model_validate(value)
 
     def right(self, path: Path) -> bool:
