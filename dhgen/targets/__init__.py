@@ -1,0 +1,1 @@
+"""Targets: a program printed as a language, through the templates."""
