@@ -1,0 +1,119 @@
+"""Every notation, written and read by Python and C, against rotations from their definitions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pose_reference as reference
+import pytest
+from pose_libraries import LIBRARIES, NOTATIONS, library, read, write
+
+each_library = pytest.mark.parametrize("name", LIBRARIES)
+each_notation = pytest.mark.parametrize("notation", NOTATIONS)
+
+XYZ = np.array([0.3, -250.0, 1e-3])
+SPECIAL_ANGLES = [
+    quarter * np.pi / 4 + offset for quarter in range(-4, 5) for offset in (0.0, 1e-12, -1e-9, 1e-6)
+]
+
+
+def orientations(notation: str) -> list[tuple[Any, ...]]:
+    """Arguments of a notation: random ones, then special ones."""
+    random = np.random.default_rng(7)
+    if notation.startswith("quaternion"):
+        ones = [np.array(q) for q in np.ndindex(3, 3, 3, 3)]
+        special = [q - 1.0 for q in ones if (q != 1).any()]
+        return [(q,) for q in [*random.normal(size=(60, 4)), *special]]
+    if notation == "axis_angle":
+        axes = [*random.normal(size=(20, 3)), *np.eye(3), -np.eye(3)[1], np.array([0.0, 3.0, -4.0])]
+        angles = [*random.uniform(-7, 7, 5), *SPECIAL_ANGLES]
+        return [(axis, float(angle)) for axis in axes for angle in angles]
+    special = [random.choice(SPECIAL_ANGLES, 3) for _ in range(200)]
+    return [(angles,) for angles in [*random.uniform(-7, 7, (60, 3)), *special]]
+
+
+@each_library
+@each_notation
+def test_writing_follows_the_definition(name: str, notation: str) -> None:
+    of = library(name)
+    for orientation in orientations(notation):
+        T = write(of, notation, XYZ, *orientation)
+        expected = reference.pose(getattr(reference, notation)(*orientation), XYZ)
+        np.testing.assert_allclose(T, expected, rtol=0, atol=2e-15)
+        assert (T[:3, 3] == XYZ).all()
+        assert T[3].tolist() == [0, 0, 0, 1]
+
+
+@each_library
+@each_notation
+def test_what_is_read_defines_the_pose_again(name: str, notation: str) -> None:
+    of = library(name)
+    cases = [("random", R) for R in reference.random_rotations(100)]
+    for label, R in [*cases, *reference.singular_rotations()]:
+        T = reference.pose(R, XYZ)
+        xyz, *orientation = read(of, notation, T)
+        again = reference.pose(getattr(reference, notation)(*orientation), XYZ)
+        np.testing.assert_allclose(again, T, rtol=0, atol=2e-15, err_msg=label)
+        assert (xyz == XYZ).all()
+
+
+@each_notation
+def test_c_and_python_read_and_write_the_same(notation: str) -> None:
+    numba, others = library("numba"), [library("plain"), library("c")]
+    for R in [
+        *reference.random_rotations(100, seed=2),
+        *dict(reference.singular_rotations()).values(),
+    ]:
+        T = reference.pose(R, XYZ)
+        expected = read(numba, notation, T)
+        for other in others:
+            for got, wanted in zip(read(other, notation, T), expected, strict=True):
+                np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-15)
+            written, wanted = (write(of, notation, *expected) for of in (other, numba))
+            np.testing.assert_allclose(written, wanted, rtol=0, atol=1e-15)
+
+
+@each_library
+@each_notation
+def test_rotations_with_rounding_of_their_own_survive(name: str, notation: str) -> None:
+    """A pose out of a chain of products is not the nearest double of any rotation."""
+    of = library(name)
+    rng = np.random.default_rng(5)
+    for _ in range(100):
+        chain = [
+            reference.pose(R) for R in reference.random_rotations(4, seed=int(rng.integers(10**9)))
+        ]
+        product = chain[0] @ chain[1] @ chain[2] @ chain[3]
+        for end in (np.linalg.inv(product), np.eye(4)):
+            T = product @ end
+            again = write(of, notation, *read(of, notation, T))
+            np.testing.assert_allclose(again, T, rtol=0, atol=1e-14)
+
+
+@each_library
+@each_notation
+@pytest.mark.parametrize("digits", ["float32", "six decimals"])
+def test_a_rounded_pose_is_read_to_within_its_rounding(
+    name: str, notation: str, digits: str
+) -> None:
+    of = library(name)
+    for R in [*reference.random_rotations(50), *dict(reference.singular_rotations()).values()]:
+        T = reference.pose(R)
+        rounded = T.astype(np.float32) if digits == "float32" else T.round(6)
+        again = write(of, notation, *read(of, notation, rounded))
+        np.testing.assert_allclose(again, T, rtol=0, atol=3e-7 if digits == "float32" else 3e-6)
+
+
+@each_library
+def test_away_from_singularities_the_angles_themselves_return(name: str) -> None:
+    of = library(name)
+    random = np.random.default_rng(3)
+    for _ in range(100):
+        outer = random.uniform(-np.pi, np.pi, 2)
+        rpy = np.array([outer[0], random.uniform(-1.4, 1.4), outer[1]])
+        np.testing.assert_allclose(of.to_xyz_rpy(of.from_xyz_rpy(XYZ, rpy))[1], rpy, atol=1e-14)
+        euler = np.array([outer[0], random.uniform(0.2, 2.9), outer[1]])
+        for notation in ("euler_zxz", "euler_zyz"):
+            T = write(of, notation, XYZ, euler)
+            np.testing.assert_allclose(read(of, notation, T)[1], euler, atol=1e-14)
