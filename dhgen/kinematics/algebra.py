@@ -1,0 +1,127 @@
+"""The ring in which an arm's equations live: pose entries, cosines and sines, lengths, constants."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyRing
+
+from dhgen.kinematics.chain import Chain, Fixed, Slide, parallel_groups
+from dhgen.kinematics.normal import NormalForm, normal_form
+from dhgen.kinematics.transform import Transform
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.constants import Polynomial
+
+POSE_NAMES = tuple(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3, 4))
+POINT_NAMES = tuple(f"w{k}{axis}" for k in ("", "2", "3", "4", "5", "6") for axis in "xyz")
+
+
+@dataclass(frozen=True, slots=True)
+class AngleSum:
+    """The sum of the angles of consecutive parallel axes, e.g. theta2 + theta3 - theta4.
+
+    Attributes:
+        terms: (joint, sign) pairs in the order of the joints; the first sign is +1.
+    """
+
+    terms: tuple[tuple[int, int], ...]
+
+    @property
+    def suffix(self) -> str:
+        """What follows c and s in the names: 23, or 2m3 for a difference."""
+        first, *others = self.terms
+        wide = any(joint > 9 for joint, _ in self.terms)
+        text = str(first[0])
+        for joint, sign in others:
+            text += ("m" if sign < 0 else "_" if wide else "") + str(joint)
+        return text
+
+    @property
+    def cosine(self) -> str:
+        """Name of its cosine."""
+        return "c" + self.suffix
+
+    @property
+    def sine(self) -> str:
+        """Name of its sine."""
+        return "s" + self.suffix
+
+
+@dataclass(frozen=True, slots=True)
+class Algebra:
+    """A chain with its ring.
+
+    Attributes:
+        chain: The arm.
+        ring: Generators: pose entries, points, cosines, sines, lengths, then constants.
+        normal: The normal form of this ring.
+        angles: Every sum of consecutive parallel axes, single joints included.
+        slides: The names of prismatic lengths by joint number.
+        index: Position of every generator by name.
+    """
+
+    chain: Chain
+    ring: PolyRing
+    normal: NormalForm
+    angles: tuple[AngleSum, ...]
+    slides: dict[int, str]
+    index: dict[str, int]
+
+    def generator(self, name: str) -> Polynomial:
+        """The generator of that name."""
+        return self.ring.gens[self.index[name]]
+
+    def cosine_sine(self, terms: tuple[tuple[int, int], ...]) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a signed sum of joint angles, in any order and with any first sign."""
+        ordered = tuple(sorted(terms))
+        sign = ordered[0][1]
+        angle = AngleSum(tuple((joint, sign * each) for joint, each in ordered))
+        return self.generator(angle.cosine), sign * self.generator(angle.sine)
+
+    def is_constant(self, polynomial: Polynomial) -> bool:
+        """Whether a polynomial is made of the arm's lengths and twists alone."""
+        first = len(self.ring.gens) - len(self.chain.ring.gens)
+        return all(not any(monomial[:first]) for monomial in polynomial)
+
+    def lift(self, transform: Transform) -> Transform:
+        """A constant transform of the chain as a transform of this ring."""
+        return transform.mapped(lambda entry: entry.set_ring(self.ring))
+
+    def lifted(self, elements: tuple[Element, ...]) -> tuple[Element, ...]:
+        """Elements of the chain with their constants in this ring."""
+        return tuple(
+            Fixed(self.lift(element.transform)) if isinstance(element, Fixed) else element
+            for element in elements
+        )
+
+
+def build_algebra(chain: Chain) -> Algebra:
+    """The ring of an arm."""
+    angles = tuple(
+        AngleSum(tuple((joint, sign * run[start][1]) for joint, sign in run[start : end + 1]))
+        for run in parallel_groups(chain)
+        for start in range(len(run))
+        for end in range(start, len(run))
+    )
+    slides = {
+        element.joint: f"r{element.joint}"
+        for link in chain.links
+        for element in link
+        if isinstance(element, Slide)
+    }
+    trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
+    constants = [str(symbol) for symbol in chain.ring.symbols]
+    names = [*POSE_NAMES, *POINT_NAMES, *trig, *slides.values(), *constants]
+    ring = PolyRing(names, QQ)
+    return Algebra(
+        chain=chain,
+        ring=ring,
+        normal=normal_form(ring, chain.constants, {a.sine: a.cosine for a in angles}),
+        angles=angles,
+        slides=slides,
+        index={name: position for position, name in enumerate(names)},
+    )

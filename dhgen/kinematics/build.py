@@ -1,0 +1,136 @@
+"""From a Robot to its Chain: DH rows of either convention, base and tool; axes by `axes.py`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.axes import exact_axes, rows_of_axes
+from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn
+from dhgen.kinematics.constants import ConstantTable
+from dhgen.kinematics.frames import read_frame
+from dhgen.kinematics.normal import NormalForm, normal_form
+from dhgen.kinematics.transform import (
+    compose,
+    identity,
+    rotation_x,
+    rotation_z,
+    translation,
+)
+from dhgen.robot.expression import ZERO, evaluate
+from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind, Robot
+
+if TYPE_CHECKING:
+    from sympy.polys.rings import PolyRing
+
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.transform import Transform
+
+
+@dataclass(frozen=True, slots=True)
+class _RowCells:
+    """The constants of one row as ring elements."""
+
+    theta: tuple[Polynomial, Polynomial]  # cosine and sine
+    d: Polynomial
+    a: Polynomial
+    alpha: tuple[Polynomial, Polynomial]  # cosine and sine
+
+
+def build_chain(robot: Robot) -> Chain:
+    """The exact chain of a robot, whichever way it was written."""
+    if not isinstance(robot.geometry, DhTable):
+        exact = exact_axes(robot)
+        if exact is not None:
+            return exact
+        robot = rows_of_axes(robot)
+    assert isinstance(robot.geometry, DhTable)
+    table = ConstantTable({parameter.name: parameter.value for parameter in robot.parameters})
+    _read(robot, robot.geometry, table)
+    ring = table.close()
+    cells, base, tool = _read(robot, robot.geometry, table)
+    constants = tuple(table.constants.values())
+    normal = normal_form(ring, constants, {})
+    links = tuple(
+        _link(ring, number, row, row_cells, robot.geometry.convention, normal)
+        for number, (row, row_cells) in enumerate(
+            zip(robot.geometry.rows, cells, strict=True), start=1
+        )
+    )
+    return Chain(
+        name=robot.name,
+        joints=tuple(
+            _joint(number, row, table.parameters)
+            for number, row in enumerate(robot.geometry.rows, start=1)
+        ),
+        links=links,
+        base=base,
+        tool=tool,
+        constants=constants,
+        ring=ring,
+        task=robot.task,
+        free=robot.free,
+        size=_size(robot.geometry, robot.tool, table.parameters),
+    )
+
+
+def _read(
+    robot: Robot, geometry: DhTable, table: ConstantTable
+) -> tuple[list[_RowCells], Transform, Transform]:
+    cells = [_row_cells(number, row, table) for number, row in enumerate(geometry.rows, start=1)]
+    base = read_frame(robot.base, table, "z", "base frame")
+    tool = read_frame(robot.tool, table, "e", "tool frame")
+    return cells, base, tool
+
+
+def _row_cells(number: int, row: DhRow, table: ConstantTable) -> _RowCells:
+    revolute = row.kind is JointKind.REVOLUTE
+    still = ZERO if revolute else row.theta  # q stands in theta: its offset is the joint's
+    fixed = row.d if revolute else ZERO
+    return _RowCells(
+        theta=table.cosine_sine(still, f"t{number}", f"the angle of joint {number}"),
+        d=table.length(fixed, f"d{number}", f"joint offset {number}"),
+        a=table.length(row.a, f"a{number}", f"link length {number}"),
+        alpha=table.cosine_sine(row.alpha, str(number), f"twist {number}"),
+    )
+
+
+def _link(
+    ring: PolyRing,
+    number: int,
+    row: DhRow,
+    cells: _RowCells,
+    convention: Convention,
+    normal: NormalForm,
+) -> tuple[Element, ...]:
+    along_x = compose(
+        translation(ring, (cells.a, ring.zero, ring.zero)),
+        rotation_x(ring, *cells.alpha),
+        normal,
+    )
+    along_z = compose(
+        rotation_z(ring, *cells.theta),
+        translation(ring, (ring.zero, ring.zero, cells.d)),
+        normal,
+    )
+    joint = Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
+    parts: tuple[Element, ...]
+    if convention is Convention.MODIFIED:
+        parts = (Fixed(compose(along_x, along_z, normal)), joint)
+    elif row.kind is JointKind.REVOLUTE:
+        parts = (joint, Fixed(compose(along_z, along_x, normal)))
+    else:
+        parts = (Fixed(along_z), joint, Fixed(along_x))
+    still = identity(ring)
+    return tuple(part for part in parts if not (isinstance(part, Fixed) and part.transform == still))
+
+
+def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
+    offset = row.theta if row.kind is JointKind.REVOLUTE else row.d
+    return ChainJoint(number, row.kind, row.sign, evaluate(offset, parameters), row.limits)
+
+
+def _size(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> float:
+    lengths = [evaluate(cell, parameters) for row in geometry.rows for cell in (row.a, row.d)]
+    lengths += [evaluate(cell, parameters) for cell in tool.xyz]
+    return sum(abs(length) for length in lengths) or 1.0

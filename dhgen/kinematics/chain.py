@@ -1,0 +1,118 @@
+"""The chain: what every robot file becomes, constant and joint transforms in alternation.
+
+Nothing after this module knows whether the arm was written as a standard table, as a modified table
+or as axes in the reference position. The links keep the frames of the document, so that U_i is the
+document's U_i.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.transform import Transform, turn_between
+
+if TYPE_CHECKING:
+    from sympy.polys.rings import PolyRing
+
+    from dhgen.kinematics.constants import Constant
+    from dhgen.robot.robot import JointKind, Task
+
+
+@dataclass(frozen=True, slots=True)
+class Fixed:
+    """A constant transform between two joints."""
+
+    transform: Transform
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """A rotation about z by the angle of a joint, times a sign."""
+
+    joint: int
+    sign: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """A translation along z by the length of a joint, times a sign."""
+
+    joint: int
+    sign: int = 1
+
+
+Element = Fixed | Turn | Slide
+
+
+@dataclass(frozen=True, slots=True)
+class ChainJoint:
+    """A joint as the algebra sees it: its angle or length is sign q + offset.
+
+    Attributes:
+        number: From 1.
+        kind: Revolute or prismatic.
+        sign: +1 or -1.
+        offset: What is added to sign q [rad or length].
+        limits: Lowest and highest q, or None.
+    """
+
+    number: int
+    kind: JointKind
+    sign: int
+    offset: float
+    limits: tuple[float, float] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """An arm: Z A_1 A_2 ... A_n E.
+
+    Attributes:
+        name: The robot's identifier.
+        joints: From base to tool.
+        links: The elements of A_1 ... A_n.
+        base: Z, the arm's base frame in the caller's frame.
+        tool: E, the tool in the last frame.
+        constants: The generators of `ring` with their values.
+        ring: Ring of the constant transforms.
+        task: What of the pose the caller means.
+        free: Joints, from 1, whose value the caller gives.
+        size: Length that tolerances are relative to: the sum of all lengths of the arm.
+    """
+
+    name: str
+    joints: tuple[ChainJoint, ...]
+    links: tuple[tuple[Element, ...], ...]
+    base: Transform
+    tool: Transform
+    constants: tuple[Constant, ...]
+    ring: PolyRing
+    task: Task
+    free: tuple[int, ...]
+    size: float
+
+    @property
+    def dof(self) -> int:
+        """The number of joints."""
+        return len(self.joints)
+
+
+def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
+    """Runs of revolute joints whose axes stay parallel: (joint, direction) pairs.
+
+    The direction is +1 or -1, relative to the first axis of the run. Prismatic joints between them
+    do not break a run.
+    """
+    runs: list[list[tuple[int, int]]] = []
+    facing = 0
+    for element in (element for link in chain.links for element in link):
+        if isinstance(element, Fixed) and runs:
+            facing *= turn_between(element.transform.rotation)
+        elif isinstance(element, Turn):
+            if facing and runs:
+                runs[-1].append((element.joint, facing))
+            else:
+                runs.append([(element.joint, 1)])
+                facing = 1
+    return tuple(tuple(run) for run in runs)

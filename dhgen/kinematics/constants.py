@@ -1,0 +1,274 @@
+"""The numbers of a robot file as exact ring elements: lengths keep names, exact twists stay exact.
+
+A length is a polynomial in named constants with rational coefficients; a twist gives a cosine and a
+sine. Multiples of 90 degrees become 0 and 1, multiples of 15 degrees use the square roots of 2 and
+3, any other twist becomes a named pair (cosine, sine) that is shared by all twists of its size.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyElement, PolyRing
+
+from dhgen.robot.expression import Binary, Call, Name, Negate, Number, Pi, evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from dhgen.robot.expression import Expression
+
+Polynomial = PolyElement  # over the rationals, in a ring of named generators
+
+TURN_TOLERANCE = 1e-12  # [rad] two twists nearer than this share one cosine and sine
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A named number of the arm.
+
+    Attributes:
+        name: Generator of the ring, and name in the emitted code.
+        value: Its value [length unit, or 1].
+        meaning: What it is, for comments: "link length of joint 2".
+        square: Its square if that is rational (square roots), else None.
+        cosine: For the sine of a twist, the name of its cosine, else None.
+        is_length: Whether it scales with the arm.
+    """
+
+    name: str
+    value: float
+    meaning: str
+    square: Fraction | None = None
+    cosine: str | None = None
+    is_length: bool = True
+
+
+SQRT2 = Constant("sqrt2", math.sqrt(2.0), "square root of 2", square=Fraction(2), is_length=False)
+SQRT3 = Constant("sqrt3", math.sqrt(3.0), "square root of 3", square=Fraction(3), is_length=False)
+
+# cos of k times 15 degrees as (rational, sqrt2, sqrt3, sqrt2 sqrt3) coefficients
+_COSINES: tuple[tuple[Fraction, Fraction, Fraction, Fraction], ...] = (
+    (Fraction(1), Fraction(0), Fraction(0), Fraction(0)),
+    (Fraction(0), Fraction(1, 4), Fraction(0), Fraction(1, 4)),
+    (Fraction(0), Fraction(0), Fraction(1, 2), Fraction(0)),
+    (Fraction(0), Fraction(1, 2), Fraction(0), Fraction(0)),
+    (Fraction(1, 2), Fraction(0), Fraction(0), Fraction(0)),
+    (Fraction(0), Fraction(-1, 4), Fraction(0), Fraction(1, 4)),
+    (Fraction(0), Fraction(0), Fraction(0), Fraction(0)),
+)
+
+
+def constant_ring(names: Iterable[str]) -> PolyRing:
+    """The ring of polynomials over the rationals in these generators (at least one)."""
+    return PolyRing(list(names) or ["unit"], QQ)
+
+
+def generator(ring: PolyRing, name: str) -> Polynomial:
+    """The generator of that name."""
+    return ring.gens[[str(symbol) for symbol in ring.symbols].index(name)]
+
+
+def multiple_of_pi(expression: Expression) -> Fraction | None:
+    """The rational r with expression = r pi, or None when there is none."""
+    parts = _pi_parts(expression)
+    if parts is None or parts[0] != 0:
+        return None
+    return parts[1]
+
+
+def _pi_parts(expression: Expression) -> tuple[Fraction, Fraction] | None:
+    """Expression as rational + rational * pi."""
+    match expression:
+        case Number(value):
+            return value, Fraction(0)
+        case Pi():
+            return Fraction(0), Fraction(1)
+        case Negate(operand):
+            parts = _pi_parts(operand)
+            return parts and (-parts[0], -parts[1])
+        case Binary(operator, left, right):
+            first, second = _pi_parts(left), _pi_parts(right)
+            if first is None or second is None:
+                return None
+            return _combine_pi_parts(operator, first, second)
+        case _:
+            return None
+
+
+def _combine_pi_parts(
+    operator: str, left: tuple[Fraction, Fraction], right: tuple[Fraction, Fraction]
+) -> tuple[Fraction, Fraction] | None:
+    match operator:
+        case "+":
+            return left[0] + right[0], left[1] + right[1]
+        case "-":
+            return left[0] - right[0], left[1] - right[1]
+        case "*" if left[1] == 0:
+            return left[0] * right[0], left[0] * right[1]
+        case "*" if right[1] == 0:
+            return left[0] * right[0], left[1] * right[0]
+        case "/" if right[1] == 0 and right[0] != 0:
+            return left[0] / right[0], left[1] / right[0]
+        case _:
+            return None
+
+
+class ConstantTable:
+    """Collects the constants of one arm while its transforms are read, in order of appearance.
+
+    Values stay expressions here; `ring` is made when all constants are known, and `length`,
+    `cosine_sine` are asked twice: first to collect the names, then to give the polynomials.
+    """
+
+    def __init__(self, parameters: Mapping[str, float]) -> None:
+        self.parameters = dict(parameters)
+        self.constants: dict[str, Constant] = {}
+        self._opaque: dict[tuple[Expression, str], str] = {}
+        self._twists: list[tuple[float, str]] = []
+        self._ring: PolyRing | None = None
+
+    def close(self) -> PolyRing:
+        """Fixes the ring: from now on polynomials come out."""
+        self._ring = constant_ring(self.constants)
+        return self._ring
+
+    def length(self, expression: Expression, name: str, meaning: str) -> Polynomial:
+        """A length cell as a polynomial; a bare number gets `name`, a parameter keeps its own."""
+        if isinstance(expression, Number | Negate) and _bare_number(expression) not in {None, 0}:
+            return self._named(expression, name, meaning)
+        return self._polynomial(expression, name, meaning)
+
+    def scalar(self, expression: Expression, name: str, meaning: str) -> Polynomial:
+        """A number without a unit, such as an entry of a rotation matrix."""
+        value = _bare_number(expression)
+        if value is not None and value.denominator == 1:
+            return self._number(value)
+        return self._polynomial(expression, name, meaning, is_length=False)
+
+    def cosine_sine(
+        self, expression: Expression, name: str, meaning: str
+    ) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of a constant angle; `name` ends the names of a new pair."""
+        turns = multiple_of_pi(expression)
+        if turns is not None and (turns * 12).denominator == 1:
+            step = int(turns * 12) % 24
+            return self._exact_cosine(step), self._exact_cosine((step - 6) % 24)
+        return self._pair(evaluate(expression, self.parameters), name, meaning)
+
+    def _add(self, constant: Constant) -> Polynomial:
+        self.constants.setdefault(constant.name, constant)
+        return self._generator(constant.name)
+
+    def _generator(self, name: str) -> Polynomial:
+        return generator(self._ring, name) if self._ring is not None else _ANY
+
+    def _number(self, value: Fraction) -> Polynomial:
+        if self._ring is None:
+            return _ANY
+        return self._ring.ground_new(QQ(value.numerator, value.denominator))
+
+    def _exact_cosine(self, step: int) -> Polynomial:
+        step = min(step, 24 - step)
+        sign, index = (1, step) if step <= 6 else (-1, 12 - step)
+        rational, root2, root3, root6 = (sign * part for part in _COSINES[index])
+        result = self._number(rational)
+        if root2 or root6:
+            result = result + self._number(root2) * self._add(SQRT2)
+        if root3:
+            result = result + self._number(root3) * self._add(SQRT3)
+        if root6:
+            result = result + self._number(root6) * self._add(SQRT2) * self._add(SQRT3)
+        return result
+
+    def _pair(self, angle: float, name: str, meaning: str) -> tuple[Polynomial, Polynomial]:
+        """A twist that is no exact angle: reduced to the first quadrant, shared by size."""
+        angle = math.remainder(angle, 2.0 * math.pi)
+        size = abs(angle)
+        folded = min(size, math.pi - size)
+        for known, suffix in self._twists:
+            if abs(known - folded) < TURN_TOLERANCE:
+                name = suffix
+                break
+        else:
+            self._twists.append((folded, name))
+        cosine = Constant(f"ca{name}", math.cos(folded), f"cosine of {meaning}", is_length=False)
+        sine = Constant(
+            f"sa{name}",
+            math.sin(folded),
+            f"sine of {meaning}",
+            cosine=cosine.name,
+            is_length=False,
+        )
+        c, s = self._add(cosine), self._add(sine)
+        return (c if size <= math.pi / 2 else -c), (s if angle >= 0 else -s)
+
+    def _named(
+        self, expression: Expression, name: str, meaning: str, *, is_length: bool = True
+    ) -> Polynomial:
+        key = (expression, name)
+        if key not in self._opaque:
+            unique = name
+            while unique in self.constants or unique in self.parameters:
+                unique += "_"
+            self._opaque[key] = unique
+            value = evaluate(expression, self.parameters)
+            self.constants[unique] = Constant(unique, value, meaning, is_length=is_length)
+        return self._generator(self._opaque[key])
+
+    def _polynomial(
+        self, expression: Expression, name: str, meaning: str, *, is_length: bool = True
+    ) -> Polynomial:
+        match expression:
+            case Number(value):
+                return self._number(value)
+            case Name(parameter):
+                value = self.parameters[parameter]
+                return self._add(Constant(parameter, value, meaning, is_length=is_length))
+            case Negate(operand):
+                return -self._polynomial(operand, name, meaning, is_length=is_length)
+            case Binary("+" | "-" | "*" as operator, left, right):
+                first = self._polynomial(left, name, meaning, is_length=is_length)
+                second = self._polynomial(right, name, meaning, is_length=is_length)
+                if operator == "*":
+                    return first * second
+                return first + second if operator == "+" else first - second
+            case Binary("/", left, Number(value)) if value != 0:
+                first = self._polynomial(left, name, meaning, is_length=is_length)
+                return first * self._number(1 / value)
+            case Binary("**", left, Number(value)) if value.denominator == 1 and value >= 0:
+                first = self._polynomial(left, name, meaning, is_length=is_length)
+                return first ** int(value)
+            case Call("sqrt", Number(value)) if value in {2, 3}:
+                return self._add(SQRT2 if value == 2 else SQRT3)
+            case Call("cos" | "sin" as function, argument):
+                cosine, sine = self.cosine_sine(argument, name, meaning)
+                return cosine if function == "cos" else sine
+            case _:
+                return self._named(expression, name, meaning, is_length=is_length)
+
+
+def _bare_number(expression: Expression) -> Fraction | None:
+    match expression:
+        case Number(value):
+            return value
+        case Negate(Number(value)):
+            return -value
+        case _:
+            return None
+
+
+class _Any:
+    """Stands for a polynomial while names are only being collected."""
+
+    def _same(self, *_: Any) -> _Any:  # noqa: ANN401 - any operand leaves it what it is
+        return self
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __pow__ = __neg__ = _same
+
+
+_ANY: Any = _Any()

@@ -1,0 +1,69 @@
+"""The normal form of polynomials in cosines, sines and square roots: s^2 becomes 1 - c^2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sympy.polys.domains import QQ
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from sympy.polys.rings import PolyRing
+
+    from dhgen.kinematics.constants import Constant, Polynomial
+
+
+@dataclass(frozen=True, slots=True)
+class NormalForm:
+    """Rewrites even powers of some generators.
+
+    Attributes:
+        squares: Generator index and what its square is.
+    """
+
+    squares: tuple[tuple[int, Polynomial], ...]
+
+    def __call__(self, polynomial: Polynomial) -> Polynomial:
+        """The polynomial with no generator of `squares` in a power above one."""
+        for index, square in self.squares:
+            if any(monomial[index] > 1 for monomial in polynomial):
+                polynomial = _reduce(polynomial, index, square)
+        return polynomial
+
+
+def _reduce(polynomial: Polynomial, index: int, square: Polynomial) -> Polynomial:
+    ring = polynomial.ring
+    by_power: dict[int, Polynomial] = {}
+    for monomial, coefficient in polynomial.terms():
+        half, rest = divmod(monomial[index], 2)
+        lowered = (*monomial[:index], rest, *monomial[index + 1 :])
+        part = by_power.setdefault(half, ring.zero)
+        part[lowered] = part.get(lowered, ring.domain.zero) + coefficient
+    total = ring.zero
+    for half, part in by_power.items():
+        part.strip_zero()
+        total += part * square**half if half else part
+    return total
+
+
+def normal_form(
+    ring: PolyRing, constants: Iterable[Constant], angles: Mapping[str, str]
+) -> NormalForm:
+    """The normal form of a ring.
+
+    Args:
+        ring: The ring.
+        constants: Those of its generators that are numbers: square roots and sines of twists.
+        angles: The name of the cosine for the name of every sine.
+    """
+    index = {str(symbol): position for position, symbol in enumerate(ring.symbols)}
+    cosines = {c.name: c.cosine for c in constants if c.cosine is not None} | dict(angles)
+    squares = [(index[sine], 1 - ring.gens[index[cosine]] ** 2) for sine, cosine in cosines.items()]
+    squares += [
+        (index[c.name], ring.ground_new(QQ(c.square.numerator, c.square.denominator)))
+        for c in constants
+        if c.square is not None
+    ]
+    return NormalForm(tuple(squares))

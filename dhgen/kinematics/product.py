@@ -1,0 +1,112 @@
+"""Products of chain elements, in reduced form: angles of parallel axes appear as their sums.
+
+Along a run of parallel axes the product is Rz(sum) C with a translation w, where C is constant and
+keeps or reverses z; only where an axis turns away are matrices multiplied. The inverse of a stretch of
+chain is the product of the inverse elements in reverse, so it is reduced in the same way.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.transform import (
+    Transform,
+    compose,
+    dot,
+    identity,
+    inverse,
+    rotation_z,
+    turn_between,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.constants import Polynomial
+
+
+def reversed_elements(elements: Iterable[Element], algebra: Algebra) -> tuple[Element, ...]:
+    """The elements of the inverse transform."""
+    turned: list[Element] = []
+    for element in reversed(tuple(elements)):
+        match element:
+            case Turn(joint, sign):
+                turned.append(Turn(joint, -sign))
+            case Slide(joint, sign):
+                turned.append(Slide(joint, -sign))
+            case Fixed(transform):
+                turned.append(Fixed(inverse(transform, algebra.normal)))
+    return tuple(turned)
+
+
+def product(elements: Iterable[Element], algebra: Algebra) -> Transform:
+    """The product of chain elements (their constants in the algebra's ring), in normal form."""
+    scan = _Scan(algebra)
+    for element in elements:
+        scan.append(element)
+    return scan.result()
+
+
+class _Scan:
+    """The product so far: prefix, then a run Rz(sum) `after` with translation `origin`."""
+
+    def __init__(self, algebra: Algebra) -> None:
+        self._algebra = algebra
+        self._prefix: Transform | None = None
+        self._begin(())
+
+    def _begin(self, terms: tuple[tuple[int, int], ...]) -> None:
+        still = identity(self._algebra.ring)
+        self._terms = terms
+        self._after = still.rotation
+        self._origin = still.translation
+
+    def append(self, element: Element) -> None:
+        """One element more."""
+        match element:
+            case Turn(joint, sign):
+                self._turn(joint, sign)
+            case Slide(joint, sign):
+                length = self._algebra.generator(self._algebra.slides[joint])
+                zero = self._algebra.ring.zero
+                self._move((zero, zero, length * sign))
+            case Fixed(transform):
+                self._move(transform.translation)
+                still = identity(self._algebra.ring)
+                turned = Transform(self._after, still.translation)
+                constant = Transform(transform.rotation, still.translation)
+                self._after = compose(turned, constant, self._algebra.normal).rotation
+
+    def _turn(self, joint: int, sign: int) -> None:
+        facing = turn_between(self._after)
+        if not facing:
+            self._prefix = self.result()
+            self._begin(((joint, sign),))
+        else:
+            self._terms = (*self._terms, (joint, sign * facing))
+
+    def _move(self, vector: tuple[Polynomial, ...]) -> None:
+        if not any(vector):
+            return
+        algebra = self._algebra
+        turned = tuple(dot(row, vector, algebra.normal) for row in self._after)
+        turned = tuple(dot(row, turned, algebra.normal) for row in self._spin())
+        self._origin = tuple(a + b for a, b in zip(self._origin, turned, strict=True))
+
+    def _spin(self) -> tuple[tuple[Polynomial, ...], ...]:
+        ring = self._algebra.ring
+        if not self._terms:
+            return identity(ring).rotation
+        return rotation_z(ring, *self._algebra.cosine_sine(self._terms)).rotation
+
+    def result(self) -> Transform:
+        """The whole product."""
+        still = identity(self._algebra.ring)
+        normal = self._algebra.normal
+        spin = Transform(self._spin(), still.translation)
+        after = Transform(self._after, still.translation)
+        run = Transform(compose(spin, after, normal).rotation, self._origin)
+        return run if self._prefix is None else compose(self._prefix, run, normal)

@@ -1,0 +1,107 @@
+"""Rigid transforms whose entries are polynomials, and the normal form of their products."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from sympy.polys.rings import PolyRing
+
+    from dhgen.kinematics.constants import Polynomial
+
+AXES = range(3)
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """A rotation (three rows of three) and a translation.
+
+    Attributes:
+        rotation: Rows of the rotation matrix.
+        translation: Origin of the second frame in the first [length].
+    """
+
+    rotation: tuple[tuple[Polynomial, ...], ...]
+    translation: tuple[Polynomial, ...]
+
+    def entry(self, row: int, column: int) -> Polynomial:
+        """The element in `row` and `column`, both from 0; column 3 is the translation."""
+        return self.translation[row] if column == 3 else self.rotation[row][column]
+
+    def column(self, column: int) -> tuple[Polynomial, ...]:
+        """One column, from 0; column 3 is the translation."""
+        return tuple(self.entry(row, column) for row in AXES)
+
+    def mapped(self, change: Callable[[Polynomial], Polynomial]) -> Transform:
+        """The same with every entry changed."""
+        return Transform(
+            tuple(tuple(change(entry) for entry in row) for row in self.rotation),
+            tuple(change(entry) for entry in self.translation),
+        )
+
+
+def identity(ring: PolyRing) -> Transform:
+    """No motion."""
+    zero, one = ring.zero, ring.one
+    rows = tuple(tuple(one if i == j else zero for j in AXES) for i in AXES)
+    return Transform(rows, (zero, zero, zero))
+
+
+def translation(ring: PolyRing, vector: Sequence[Polynomial]) -> Transform:
+    """A pure translation."""
+    return Transform(identity(ring).rotation, tuple(vector))
+
+
+def rotation_x(ring: PolyRing, cosine: Polynomial, sine: Polynomial) -> Transform:
+    """A rotation about x."""
+    zero, one = ring.zero, ring.one
+    rows = ((one, zero, zero), (zero, cosine, -sine), (zero, sine, cosine))
+    return Transform(rows, (zero, zero, zero))
+
+
+def rotation_z(ring: PolyRing, cosine: Polynomial, sine: Polynomial) -> Transform:
+    """A rotation about z."""
+    zero, one = ring.zero, ring.one
+    rows = ((cosine, -sine, zero), (sine, cosine, zero), (zero, zero, one))
+    return Transform(rows, (zero, zero, zero))
+
+
+def dot(
+    row: Sequence[Polynomial], column: Sequence[Polynomial], normal: Callable[..., Polynomial]
+) -> Polynomial:
+    """A row times a column, in normal form."""
+    ring = row[0].ring
+    total = ring.zero
+    for left, right in zip(row, column, strict=True):
+        if left and right:
+            total += left * right
+    return normal(total)
+
+
+def compose(first: Transform, second: Transform, normal: Callable[..., Polynomial]) -> Transform:
+    """first times second, every entry in normal form."""
+    columns = tuple(zip(*second.rotation, strict=True))
+    rows = tuple(tuple(dot(row, column, normal) for column in columns) for row in first.rotation)
+    moved = tuple(
+        normal(dot(row, second.translation, normal) + start)
+        for row, start in zip(first.rotation, first.translation, strict=True)
+    )
+    return Transform(rows, moved)
+
+
+def inverse(transform: Transform, normal: Callable[..., Polynomial]) -> Transform:
+    """The inverse of a rigid transform: transposed rotation (document 002)."""
+    rows = tuple(zip(*transform.rotation, strict=True))
+    moved = tuple(-dot(row, transform.translation, normal) for row in rows)
+    return Transform(rows, moved)
+
+
+def turn_between(rotation: Sequence[Sequence[Polynomial]]) -> int:
+    """+1 or -1 when the rotation keeps or reverses the direction of z, else 0."""
+    third = rotation[2][2]
+    if third.ring.one == third:
+        return 1
+    return -1 if -third.ring.one == third else 0

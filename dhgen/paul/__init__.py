@@ -1,0 +1,1 @@
+"""Paul's method as data: the pool of equations, the types, the search, the derivation."""

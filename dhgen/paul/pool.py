@@ -1,0 +1,206 @@
+"""The pool of equations: every mixed form of T, kept with the element it comes from.
+
+(A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k, entry by entry, and the squared distance
+of the origins. With k = n these are the rows of Paul's U_m; the other forms are needed where a wrist
+has no common centre (UR5).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
+from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.transform import Transform, compose, dot
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.problem import Problem
+
+Vector = tuple["Polynomial", "Polynomial", "Polynomial"]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Origin:
+    """Where an equation stands.
+
+    Attributes:
+        m: Joints moved from the left: (A_1 ... A_m)^-1.
+        k: Joints moved from the right begin at k + 1: (A_{k+1} ... A_n)^-1.
+        dof: n.
+        row: From 1; 0 for the squared length of column 4.
+        column: From 1 to 4.
+    """
+
+    m: int
+    k: int
+    dof: int
+    row: int
+    column: int
+
+    @property
+    def is_mixed(self) -> bool:
+        """Whether joints were moved from the right too, which Paul's U_m do not do."""
+        return self.k < self.dof
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """left = right, with right - left in normal form.
+
+    Attributes:
+        origin: Which element of which form.
+        origins: All elements that give the same equation, `origin` first.
+        left: The side with U_0.
+        right: The entry of A_{m+1} ... A_k.
+        difference: right - left.
+    """
+
+    origin: Origin
+    origins: tuple[Origin, ...]
+    left: Polynomial
+    right: Polynomial
+    difference: Polynomial
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A point of the last links whose place is known from the pose alone, e.g. the wrist centre.
+
+    Attributes:
+        names: Generators of its coordinates in the base frame.
+        in_tool: Its coordinates in the frame of U_0 (constants).
+    """
+
+    names: tuple[str, str, str]
+    in_tool: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Pool:
+    """All equations of a problem.
+
+    Attributes:
+        problem: What is asked.
+        equations: In the order m, k descending, column 4 first.
+        points: Points with names of their own.
+    """
+
+    problem: Problem
+    equations: tuple[Equation, ...]
+    points: tuple[Point, ...]
+
+
+def build_pool(problem: Problem) -> Pool:
+    """Every usable equation of the problem."""
+    algebra = problem.algebra
+    links = problem.links
+    dof = len(links)
+    points: list[Point] = []
+    rights = [_moved_right(problem, k, points) for k in range(dof + 1)]
+    equations: list[Equation] = []
+    for m in range(dof):
+        before = [element for link in links[:m] for element in link]
+        left = product(reversed_elements(before, algebra), algebra)
+        for k in range(dof, m, -1):
+            middle = product((element for link in links[m:k] for element in link), algebra)
+            moved = compose(left, rights[k], algebra.normal)
+            equations += _entries(m, k, dof, moved, middle)
+            equations += _squared_length(problem, m, k, moved, middle)
+    withheld = _Withheld(problem)
+    usable = (e for e in equations if e.difference and not withheld(e.difference))
+    return Pool(problem, _merged(usable), tuple(points))
+
+
+def _merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
+    """Each equation once, whatever its sign, with all places where it stands."""
+    merged: dict[Polynomial, Equation] = {}
+    for equation in equations:
+        key = equation.difference if equation.difference in merged else -equation.difference
+        if key in merged:
+            first = merged[key]
+            merged[key] = replace(first, origins=(*first.origins, equation.origin))
+        else:
+            merged[equation.difference] = equation
+    return tuple(merged.values())
+
+
+def _moved_right(problem: Problem, k: int, points: list[Point]) -> Transform:
+    """U_0 (A_{k+1} ... A_n)^-1, its origin by name when it is a known point."""
+    algebra = problem.algebra
+    after = [element for link in problem.links[k:] for element in link]
+    step = product(reversed_elements(after, algebra), algebra)
+    moved = compose(problem.target, step, algebra.normal)
+    in_tool = step.translation
+    hidden = any(map(_Withheld(problem), moved.translation))
+    if hidden or not any(in_tool) or any(_uses_joints(problem, entry) for entry in in_tool):
+        return moved
+    for point in points:
+        if point.in_tool == in_tool:
+            break
+    else:
+        names = POINT_NAMES[3 * len(points) : 3 * len(points) + 3]
+        point = Point((names[0], names[1], names[2]), in_tool)
+        points.append(point)
+    origin = tuple(
+        algebra.generator(name) if len(entry) > 1 else entry
+        for name, entry in zip(point.names, moved.translation, strict=True)
+    )
+    return Transform(moved.rotation, origin)
+
+
+def _uses_joints(problem: Problem, entry: Polynomial) -> bool:
+    algebra = problem.algebra
+    joint = [algebra.index[name] for a in algebra.angles for name in (a.cosine, a.sine)]
+    joint += [algebra.index[name] for name in algebra.slides.values()]
+    return any(monomial[place] for monomial in entry for place in joint)
+
+
+def _entries(m: int, k: int, dof: int, left: Transform, right: Transform) -> list[Equation]:
+    return [
+        _equation(Origin(m, k, dof, row + 1, column + 1), left.entry(row, column), right.entry(row, column))
+        for column in (3, 2, 1, 0)
+        for row in range(3)
+    ]
+
+
+def _equation(origin: Origin, left: Polynomial, right: Polynomial) -> Equation:
+    return Equation(origin, (origin,), left, right, right - left)
+
+
+def _squared_length(
+    problem: Problem, m: int, k: int, left: Transform, right: Transform
+) -> list[Equation]:
+    """The distance between the origins of frames m and k, where column 4 holds a known point."""
+    algebra = problem.algebra
+    if any(_uses_right_joints(problem, k, entry) for entry in left.translation):
+        return []
+    first = dot(left.translation, left.translation, algebra.normal)
+    second = dot(right.translation, right.translation, algebra.normal)
+    return [_equation(Origin(m, k, len(problem.links), 0, 4), first, second)]
+
+
+def _uses_right_joints(problem: Problem, k: int, entry: Polynomial) -> bool:
+    algebra = problem.algebra
+    late = [
+        algebra.index[name]
+        for angle in algebra.angles
+        if angle.terms[-1][0] > k
+        for name in (angle.cosine, angle.sine)
+    ]
+    late += [algebra.index[name] for joint, name in algebra.slides.items() if joint > k]
+    return any(monomial[place] for monomial in entry for place in late)
+
+
+class _Withheld:
+    """Whether a polynomial holds a pose entry that the task does not give."""
+
+    def __init__(self, problem: Problem) -> None:
+        index = problem.algebra.index
+        self._places = [index[name] for name in POSE_NAMES if name not in problem.known]
+
+    def __call__(self, polynomial: Polynomial) -> bool:
+        return any(monomial[place] for monomial in polynomial for place in self._places)

@@ -1,0 +1,138 @@
+"""The inverse problem of a chain: which entries of U_0 are known, and what U_0 is.
+
+For a pose, base and tool are taken to the left: U_0 = Z^-1 POS E^-1 (document 002). For partial
+tasks E (and for a list of coordinates Z too) stays in the chain, because moving it would mix entries
+that the caller gives with entries that are ignored.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.chain import Fixed
+from dhgen.kinematics.product import product
+from dhgen.kinematics.transform import Transform, identity
+from dhgen.robot.robot import TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.robot.robot import Task
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """What is asked of an arm.
+
+    Attributes:
+        algebra: The arm and its ring.
+        links: The elements of A_1 ... A_n, with base and tool where they stay in the chain.
+        target: U_0: known pose entries as generators or as what they equal for this arm.
+        known: Names of the pose entries that the task gives and that are independent.
+        forward: A_1 ... A_n, what U_0 equals.
+        base_left: Whether Z has been moved to the left.
+        tool_left: Whether E has been moved to the left.
+        redundant: Whether the task has more entries than the arm can choose, so that a pose
+            has to be checked.
+    """
+
+    algebra: Algebra
+    links: tuple[tuple[Element, ...], ...]
+    target: Transform
+    known: frozenset[str]
+    forward: Transform
+    base_left: bool
+    tool_left: bool
+    redundant: bool
+
+
+_COORDINATES = {"x": "t14", "y": "t24", "z": "t34"}
+_ROTATION = frozenset(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
+_POSITION = frozenset(_COORDINATES.values())
+_APPROACH = frozenset({"t13", "t23", "t33"})
+
+
+def task_entries(task: Task) -> frozenset[str]:
+    """Names of the entries of U_0 that a task gives."""
+    match task.kind:
+        case TaskKind.POSE:
+            return _ROTATION | _POSITION
+        case TaskKind.POSITION:
+            return _POSITION
+        case TaskKind.ORIENTATION:
+            return _ROTATION
+        case TaskKind.POINTING:
+            return _POSITION | _APPROACH
+        case TaskKind.COORDINATES:
+            return frozenset(_COORDINATES[name] for name in task.coordinates)
+
+
+def task_dimension(task: Task) -> int:
+    """How many independent numbers a task gives."""
+    dimensions = {
+        TaskKind.POSE: 6,
+        TaskKind.POSITION: 3,
+        TaskKind.ORIENTATION: 3,
+        TaskKind.POINTING: 5,
+    }
+    return dimensions.get(task.kind, len(task.coordinates))
+
+
+def build_problem(algebra: Algebra) -> Problem:
+    """The inverse problem of an arm and its task."""
+    chain = algebra.chain
+    kind = chain.task.kind
+    base_left = kind is not TaskKind.COORDINATES
+    tool_left = kind in {TaskKind.POSE, TaskKind.ORIENTATION}
+    links = [algebra.lifted(link) for link in chain.links]
+    still = identity(algebra.ring)
+    if not base_left and algebra.lift(chain.base) != still:
+        links[0] = (Fixed(algebra.lift(chain.base)), *links[0])
+    if not tool_left and algebra.lift(chain.tool) != still:
+        links[-1] = (*links[-1], Fixed(algebra.lift(chain.tool)))
+    forward = product((element for link in links for element in link), algebra)
+    given = task_entries(chain.task)
+    target, known = _target(algebra, forward, given)
+    return Problem(
+        algebra=algebra,
+        links=tuple(links),
+        target=target,
+        known=known,
+        forward=forward,
+        base_left=base_left,
+        tool_left=tool_left,
+        redundant=chain.dof - len(chain.free) < task_dimension(chain.task),
+    )
+
+
+def _target(
+    algebra: Algebra, forward: Transform, given: frozenset[str]
+) -> tuple[Transform, frozenset[str]]:
+    """U_0 with the entries that are constant for this arm, or equal to another, substituted.
+
+    SCARA: the approach vector is (0, 0, 1), t22 = t11, t12 = -t21. A pose that breaks such a
+    relation is out of the arm's reach; the emitted code checks that.
+    """
+    independent: dict[str, Polynomial] = {}
+    symbols: dict[str, Polynomial] = {}
+    order = sorted(given, key=lambda name: (name[2] != "4", name[2], name[1]))
+    for name in order:
+        value = forward.entry(int(name[1]) - 1, int(name[2]) - 1)
+        if algebra.is_constant(value):
+            symbols[name] = value
+            continue
+        for other, reference in independent.items():
+            if value in (reference, -reference):
+                sign = 1 if value == reference else -1
+                symbols[name] = sign * algebra.generator(other)
+                break
+        else:
+            independent[name] = value
+            symbols[name] = algebra.generator(name)
+    full = {name: symbols.get(name, algebra.generator(name)) for name in _ROTATION | _POSITION}
+    rows = tuple(tuple(full[f"t{i}{j}"] for j in (1, 2, 3)) for i in (1, 2, 3))
+    origin = tuple(full[f"t{i}4"] for i in (1, 2, 3))
+    return Transform(rows, origin), frozenset(independent)
+

@@ -1,0 +1,92 @@
+"""A step of a derivation: which equations, of which type, give which unknown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.forms import Form, Unknown
+    from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.witness import Witnesses
+
+
+MIXED_FORM = 15
+POINT_FORM = 3
+
+
+class Kind(Enum):
+    """The equation types of document 003; the value is the number a reader finds there."""
+
+    LENGTH = 1  # X r = Y
+    ANGLE = 2  # X s + Y c = Z
+    ANGLE_PAIR = 3  # two such equations in one angle
+    POLAR = 4  # X1 r s = Y1, X2 r c = Y2
+    ANGLE_AND_LENGTH = 5  # X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r
+    TWO_ANGLES = 6  # W s_k = X c_i + Y s_i + Z1, W c_k = X s_i - Y c_i + Z2
+    TWO_ANGLES_TURNED = 7  # the same with W1 c_k + W2 s_k
+    ANGLE_AND_SUM = 8  # X c_i + Y c_{i+k} = Z1, X s_i + Y s_{i+k} = Z2
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step.
+
+    Attributes:
+        kind: The type of the equations.
+        unknowns: What becomes known: one angle sum or length, or both (types 4 and 5).
+        forms: The equations as they look at this point.
+        coefficients: The type's letters and what they are here, in the type's order.
+        roots: How many values the step gives.
+        penalty: For ranking: how ill-conditioned and how long.
+    """
+
+    kind: Kind
+    unknowns: tuple[Unknown, ...]
+    forms: tuple[Form, ...]
+    coefficients: tuple[tuple[str, Polynomial], ...]
+    roots: int
+    penalty: int
+
+    def coefficient(self, letter: str) -> Polynomial:
+        """The polynomial behind one of the type's letters."""
+        return dict(self.coefficients)[letter]
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What a type looks at besides its equations."""
+
+    knowledge: Knowledge
+    witnesses: Witnesses
+
+    def is_constant(self, polynomial: Polynomial) -> bool:
+        """Whether a coefficient is made of the arm's lengths alone."""
+        return self.knowledge.runs.algebra.is_constant(polynomial)
+
+
+def placing(form: Form) -> int:
+    """A penalty for equations outside U_0 ... U_n, except those of a point that the pose gives."""
+    origin = form.equation.origin
+    if not origin.is_mixed:
+        return 0
+    return POINT_FORM if origin.column == 4 else MIXED_FORM
+
+
+class EquationType(Protocol):
+    """A type: when it applies, and the steps it gives."""
+
+    name: str
+    arity: int
+
+    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
+        """Why these equations are not of this type, or None when they are."""
+        ...
+
+    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
+        """The steps that the equations give, once `why_not` is None."""
+        ...

@@ -1,0 +1,24 @@
+"""The equation types, one module each; `TYPES` is the order in which they are tried."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.paul.types.angle import Angle
+from dhgen.paul.types.angle_and_length import AngleAndLength
+from dhgen.paul.types.angle_pair import AnglePair
+from dhgen.paul.types.length import SingleLength
+from dhgen.paul.types.polar import Polar
+from dhgen.paul.types.two_angles import TwoAngles
+
+if TYPE_CHECKING:
+    from dhgen.paul.step import EquationType
+
+TYPES: tuple[EquationType, ...] = (
+    SingleLength(),
+    Angle(),
+    AnglePair(),
+    Polar(),
+    AngleAndLength(),
+    TwoAngles(),
+)

@@ -1,0 +1,58 @@
+"""Type 2: X s + Y c = Z (document 002: its type 2, and its type 1 when Z = 0)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.step import Kind, Step, placing
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from dhgen.paul.forms import Form
+    from dhgen.paul.step import View
+
+HOMOGENEOUS = 40  # Z = 0: always solvable, accurate everywhere
+GENERAL = 80
+SUM = 30  # where it degenerates, a joint that takes the seed's value is clearer than a sum that does
+SQUARED = 60  # a squared distance loses digits when the arm is nearly folded
+CONSTANT_FACTORS = 250  # c = Z alone loses half the digits near the ends of its range
+
+
+class Angle:
+    """Type 2, two values: s = (X Z + e Y w) / (X^2 + Y^2), w^2 = X^2 + Y^2 - Z^2."""
+
+    name = "type 2"
+    arity = 1
+
+    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
+        """Why the equation is not X s + Y c = Z with X and Y that matter."""
+        (form,) = forms
+        if len(form.unknowns) != 1 or not isinstance(form.unknowns[0], AngleSum):
+            return "the unknown is not one angle"
+        angle = form.unknowns[0]
+        if not form.within([(), (angle.cosine,), (angle.sine,)]):
+            return "not linear in the cosine and sine"
+        factors = (form.coefficient(angle.sine), form.coefficient(angle.cosine))
+        if all(view.witnesses.vanishes(factor) for factor in factors):
+            return "X and Y vanish on every solution: the equation says nothing"
+        return None
+
+    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
+        """One step."""
+        (form,) = forms
+        angle = form.unknowns[0]
+        assert isinstance(angle, AngleSum)
+        x, y, z = form.coefficient(angle.sine), form.coefficient(angle.cosine), -form.coefficient()
+        joints = len(view.knowledge.representative(angle).terms)
+        if not z:
+            penalty = HOMOGENEOUS
+        elif view.is_constant(x) and view.is_constant(y):
+            penalty = CONSTANT_FACTORS
+        else:
+            penalty = GENERAL
+        penalty += len(x) + len(y) + len(z) + placing(form) + SUM * (joints - 1)
+        penalty += SQUARED if form.equation.origin.row == 0 else 0
+        letters = (("X", x), ("Y", y), ("Z", z))
+        yield Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty)
