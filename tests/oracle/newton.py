@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tests.oracle.descent import descend, polish
 from tests.oracle.problem import Problem, state
 
 if TYPE_CHECKING:
@@ -28,14 +29,6 @@ QUIET_BATCHES = 3  # batches in a row without a new solution before the search e
 TIMES_MET = 3  # a solution met less often than this says that others may be missing
 MOST_BATCHES = 40
 
-STEPS = 60
-CONVERGED = 1e-20  # squared residual, lengths in units of the arm
-STATIONARY = 1e-10  # squared gradient per squared residual: a minimum that is no solution
-LEAST_DAMPING, MOST_DAMPING = 1e-12, 1e8
-POLISHING_STEPS = 12
-POLISHED = 1e-12  # residual of every solution, lengths in units of the arm
-
-REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, simple solution
 SAME = 1e-7  # solutions closer than this [rad, or arm sizes] are one
 SAME_SINGULAR = 1e-4  # a double root is known only to the square root of rounding
 
@@ -46,8 +39,8 @@ class Found:
 
     Attributes:
         regular: (k, n), isolated and simple.
-        singular: (m, n), where the task's Jacobian loses rank: double roots (an arm stretched or
-            folded), and points out of a continuum of solutions.
+        singular: (m, n), where the task's Jacobian loses rank to 1e-7: double roots (an arm
+            stretched or folded), and points out of a continuum of solutions.
     """
 
     regular: FloatArray
@@ -81,7 +74,7 @@ def solve(robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int
     quiet = 0
     for _ in range(MOST_BATCHES):
         known = len(regular)
-        q, simple = _polish(problem, _descend(problem, problem.starts(batch, random)))
+        q, simple = polish(problem, descend(problem, problem.starts(batch, random)))
         regular, hits = _merge(problem, regular, q[simple], SAME)
         singular, _ = _merge(problem, singular, q[~simple], SAME_SINGULAR)
         met = np.pad(met, (0, len(regular) - known)) + hits
@@ -89,53 +82,6 @@ def solve(robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int
         if quiet >= QUIET_BATCHES and np.all(met >= TIMES_MET):
             break
     return Found(_handed_out(problem, regular), _handed_out(problem, singular))
-
-
-def _descend(problem: Problem, q: FloatArray) -> FloatArray:
-    """Follow every start (N, n) downhill; those that reached the pose."""
-    arrived = []
-    error, J = problem.residual(q)
-    damping = np.full(len(q), 1e-2)
-    for _ in range(STEPS):
-        cost, gradient = _squares(error), np.einsum("kmj,km->kj", J, error)
-        done = cost < CONVERGED
-        arrived.append(q[done])
-        lost = (_squares(gradient) < STATIONARY * cost) | (damping > MOST_DAMPING)
-        q, error, J, damping, gradient, cost = _only(
-            ~done & ~lost, q, error, J, damping, gradient, cost
-        )
-        if not len(q):
-            break
-        trial = q.copy()
-        trial[:, problem.moving] -= _damped_step(J, gradient, damping)
-        trial_error, trial_J = problem.residual(trial)
-        better = _squares(trial_error) < cost
-        q = np.where(better[:, None], trial, q)
-        error = np.where(better[:, None], trial_error, error)
-        J = np.where(better[:, None, None], trial_J, J)
-        damping = np.where(better, np.maximum(damping / 8, LEAST_DAMPING), damping * 5)
-    return np.concatenate(arrived)
-
-
-def _damped_step(J: FloatArray, gradient: FloatArray, damping: FloatArray) -> FloatArray:
-    normal = np.einsum("kmi,kmj->kij", J, J)
-    normal += damping[:, None, None] * np.eye(normal.shape[-1])
-    step: FloatArray = np.linalg.solve(normal, gradient[..., None])[..., 0]
-    return step
-
-
-def _polish(problem: Problem, q: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Gauss-Newton to the last digits; the solutions, and which of them are simple."""
-    q = q.copy()
-    for _ in range(POLISHING_STEPS):
-        error, J = problem.residual(q)
-        # directions in which nothing moves are left alone, so a singular solution stays put
-        step = np.linalg.pinv(J, rcond=REGULAR / 10) @ error[..., None]
-        q[:, problem.moving] -= step[..., 0]
-    error, J = problem.residual(q)
-    good = np.sqrt(_squares(error)) < POLISHED
-    simple = np.linalg.svd(J[good], compute_uv=False)[:, -1] > REGULAR
-    return q[good], simple & (J.shape[1] >= J.shape[2])
 
 
 def _merge(
@@ -173,12 +119,3 @@ def _handed_out(problem: Problem, q: FloatArray) -> FloatArray:
     order = np.lexsort(np.round(q.T, 6)[::-1])
     handed_out: FloatArray = q[order] * problem.units
     return handed_out
-
-
-def _squares(v: FloatArray) -> FloatArray:
-    squares: FloatArray = np.einsum("ki,ki->k", v, v)
-    return squares
-
-
-def _only(chosen: NDArray[np.bool_], *arrays: FloatArray) -> tuple[FloatArray, ...]:
-    return tuple(array[chosen] for array in arrays)

@@ -78,6 +78,21 @@ def test_a_singular_wrist_is_a_continuum_beside_the_regular_solutions() -> None:
     assert len(found.singular) > 50
 
 
+@pytest.mark.parametrize("near", [1e-6, 1e-8, 1e-10])
+def test_both_postures_of_a_nearly_singular_wrist(near: float) -> None:
+    q = np.array([0.8, near, -1.7])
+    found = solve(robot("wrist_zyz"), forward(robot("wrist_zyz"), q))
+    both = np.concatenate([found.regular, found.singular])
+    assert len(both) == 2
+    assert holds(both, q, "wrist_zyz")
+
+
+@pytest.mark.parametrize("near", [1e-6, 1e-8, 1e-10])
+def test_a_nearly_stretched_arm_has_two_solutions_or_one_double(near: float) -> None:
+    found = solve(robot("planar_rr"), forward(robot("planar_rr"), [0.3, near]))
+    assert (len(found.regular), len(found.singular)) == ((2, 0) if near == 1e-6 else (0, 1))
+
+
 def test_a_free_joint_keeps_its_value() -> None:
     arm_3r = replace(robot("planar_rrr"), task=Task(TaskKind.COORDINATES, ("x", "y")), free=(2,))
     q = np.array([0.4, 0.9, -0.7])
