@@ -6,8 +6,8 @@ import math
 from fractions import Fraction
 from typing import Literal
 
-from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Number, Pi, to_text
-from dhgen.robot.simplify import negate
+from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Negate, Number, Pi, to_text
+from dhgen.robot.simplify import number
 from dhgen.robot.surds import Surd
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
@@ -33,7 +33,7 @@ _COSINES = (
 
 def twelfths(value: float) -> int | None:
     """The k of a value k pi/12, within SNAP; None otherwise."""
-    if not math.isfinite(value):
+    if not abs(value) <= LARGEST_ANGLE:
         return None
     nearest = round(value / _TWELFTH)
     return nearest if abs(value - nearest * _TWELFTH) <= SNAP else None
@@ -41,13 +41,13 @@ def twelfths(value: float) -> int | None:
 
 def exact_angle(k: int) -> Expression:
     """The angle k pi/12 as one writes it: pi/2, -2*pi/3, 0."""
-    if k < 0:
-        return negate(exact_angle(-k))
     ratio = Fraction(k, 12)
     if ratio == 0:
         return ZERO
-    factor = Number(Fraction(ratio.numerator))
-    angle: Expression = Pi() if factor == ONE else Binary("*", factor, Pi())
+    if abs(ratio.numerator) == 1:
+        angle: Expression = Pi() if k > 0 else Negate(Pi())
+    else:
+        angle = Binary("*", number(Fraction(ratio.numerator)), Pi())
     denominator = Number(Fraction(ratio.denominator))
     return angle if denominator == ONE else Binary("/", angle, denominator)
 

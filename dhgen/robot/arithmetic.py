@@ -72,7 +72,9 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     try:
         tree = ast.parse(multiply_degrees(body), mode="eval")
     except SyntaxError as error:
-        column = min((error.offset or 1) - 1 + shift, len(text.rstrip(" ")))
+        # Python says 0 for the end of the text.
+        end = len(text.rstrip(" ")) - 1
+        column = min(error.offset - 1 + shift, end) if error.offset else end
         raise CellError(
             "this is no arithmetic: an operand or an operator is missing", Span(column)
         ) from None
@@ -83,7 +85,9 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
 
 def nearest(word: str, valid: tuple[str, ...]) -> str:
     """The end of a message about a wrong word: what was probably meant, and what is possible."""
-    close = difflib.get_close_matches(word, valid, n=1, cutoff=0.7) if len(word) <= 40 else []
+    # Who mistypes a word mostly gets its first letter right, and so 'inf' is no 'sin'.
+    alike = [name for name in valid if name[0].casefold() == word[:1].casefold()]
+    close = difflib.get_close_matches(word[:40], alike, n=1)
     meant = f"; did you mean '{close[0]}'?" if close else ";"
     shown = ", ".join(valid[:16]) + (", ..." if len(valid) > 16 else "")
     return f"{meant} valid: {shown}"

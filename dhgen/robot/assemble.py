@@ -99,19 +99,23 @@ class _Assembly:
     def _table(self) -> DhTable:
         if self.document.has("home") and not self.document.has("axes"):
             self.report.error_at_key(("home",), "'home' goes with 'axes'; with 'joints' use 'tool'")
-        paths = [("joints", i) for i in range(self._count("joints"))]
-        entries = [(path, self.shape.section(path, JointRow)) for path in paths]
-        rows = tuple(read_row(self.cells, path, entry) for path, entry in entries if entry)
+        rows = []
+        for path in [("joints", i) for i in range(self._count("joints"))]:
+            if entry := self.shape.section(path, JointRow):
+                complete = self.shape.right(path)
+                rows.append(read_row(self.cells, path, entry, complete=complete))
         file = self.shape.file
-        return DhTable(Convention(file.convention if file else "standard"), rows)
+        return DhTable(Convention(file.convention if file else "standard"), tuple(rows))
 
     def _axes(self) -> ReferenceAxes:
         if self.document.has("convention"):
             message = "'convention' goes with 'joints'; 'axes' need none"
             self.report.error_at_key(("convention",), message)
-        paths = [("axes", i) for i in range(self._count("axes"))]
-        entries = [(path, self.shape.section(path, AxisRow)) for path in paths]
-        axes = tuple(read_axis(self.cells, path, entry) for path, entry in entries if entry)
+        axes = tuple(
+            read_axis(self.cells, path, entry)
+            for path in [("axes", i) for i in range(self._count("axes"))]
+            if (entry := self.shape.section(path, AxisRow))
+        )
         return ReferenceAxes(axes, self._frame("home"))
 
     def _frame(self, key: str) -> Frame:

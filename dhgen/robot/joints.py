@@ -18,14 +18,21 @@ if TYPE_CHECKING:
     from dhgen.robot.schema import AxisRow, JointRow
 
 
-def read_row(cells: Cells, path: Path, entry: JointRow) -> DhRow:
-    """A row of the table; mistakes are reported."""
+def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> DhRow:
+    """A row of the table; mistakes are reported.
+
+    Args:
+        cells: Reads the cells, and reports.
+        path: Where the row stands.
+        entry: Its keys.
+        complete: Whether these are all: a misspelt key may have held the variable.
+    """
     theta = _split(cells, (*path, "theta"), entry.theta)
     d = _split(cells, (*path, "d"), entry.d)
     if INVALID not in (theta.offset, d.offset):
         if theta.sign and d.sign:
             cells.report.error((*path, "d"), "q stands in theta already: a joint has one variable")
-        elif not theta.sign and not d.sign:
+        elif complete and not theta.sign and not d.sign:
             message = "no variable: write q in theta (revolute) or in d (prismatic)"
             cells.report.error(path, message)
     kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE

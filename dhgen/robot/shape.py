@@ -51,20 +51,26 @@ class Shape:
                 self._wrong.update(path[:end] for end in range(len(path) + 1))
 
     def section(self, path: Path, model: type[Model]) -> Model | None:
-        """The section at a path; None when its shape is wrong, which is reported already.
+        """The section at a path without its wrong keys, which are reported already.
 
-        A section that the file leaves out has its defaults.
+        A section that the file leaves out has its defaults; None when nothing of it is usable.
         """
-        if not self.right(path):
+        # Below a list that is too long, for one, nothing has been looked at.
+        if any(path[:end] in self._unchecked for end in range(len(path) + 1)):
             return None
         value = self._document.plain(path) if self._document.has(str(path[0])) else {}
-        return model.model_validate(value)
+        if isinstance(value, dict):
+            value = {key: inner for key, inner in value.items() if self.right((*path, key))}
+        elif not self.right(path):
+            return None
+        try:
+            return model.model_validate(value)
+        except ValidationError:  # a key is missing
+            return None
 
     def right(self, path: Path) -> bool:
-        """Whether all at and below a path has the right shape."""
-        # Below a list that is too long, for one, nothing has been looked at.
-        above = (path[:end] for end in range(len(path) + 1))
-        return path not in self._wrong and not any(p in self._unchecked for p in above)
+        """Whether nothing is wrong at and below a path."""
+        return path not in self._wrong
 
 
 def _report(report: Report, details: ErrorDetails) -> None:
@@ -76,6 +82,8 @@ def _report(report: Report, details: ErrorDetails) -> None:
         report.error(path, f"the key '{path[-1]}' is missing")
     elif details["type"] in {"too_long", "too_short"}:
         report.error(path, _length_message(path, details))
+    elif details["input"] is None:
+        report.error_at_key(path, _message(details))  # what isn't there can't be pointed at
     else:
         report.error(path, _message(details))
 
@@ -112,7 +120,7 @@ def _message(details: ErrorDetails) -> str:
     given = details["input"]
     shown = quoted(given) if isinstance(given, str) else _kind(given)
     if details["type"] == "value_error":
-        return f"{shown}: {context['error']}"
+        return f"{shown}: {context['error']}" if isinstance(given, str) else f"{context['error']}"
     expected = context.get("expected") or _EXPECTED.get(details["type"])
     return f"expected {expected}, not {shown}" if expected else f"{details['msg']}, not {shown}"
 

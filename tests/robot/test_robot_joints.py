@@ -1,0 +1,300 @@
+"""Joints: the variable, its sign and offset, exact angles, limits, axes, and the file around them."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+from robot_texts import JOINTS, MINIMAL, axes, marked, mistake, mistakes, robot, row, table
+
+from dhgen.robot.expression import ZERO, Name, Negate, Number, to_text
+from dhgen.robot.robot import (
+    AxisJoint,
+    Convention,
+    DhTable,
+    JointKind,
+    ReferenceAxes,
+    Task,
+    TaskKind,
+)
+
+TURN = "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]"
+SLIDE = "type: prismatic, direction: [0, 0, 1]"
+
+
+@pytest.mark.parametrize(
+    ("cell", "sign", "offset"),
+    [
+        ("q", 1, "0"),
+        ("-q", -1, "0"),
+        ("q + 0.2", 1, "0.2"),
+        ("q - 0.2", 1, "-0.2"),
+        ("0.2 + q", 1, "0.2"),
+        ("0.2 - q", -1, "0.2"),
+        ("-q + 0.2", -1, "0.2"),
+        ("-q - 0.2", -1, "-0.2"),
+        ("-(q - 0.2)", -1, "0.2"),
+        ("q + (-pi/2)", 1, "-(pi/2)"),
+        ("(q)", 1, "0"),
+        ("q + pi/2", 1, "pi/2"),
+        ("q - 90 deg", 1, "-(pi/2)"),
+        ("q + 0.1 + 0.2", 1, "0.3"),
+        ("q + w", 1, "w"),
+        ("q - w", 1, "-w"),
+    ],
+)
+def test_the_variable_of_a_revolute_joint(cell: str, sign: int, offset: str) -> None:
+    joint = row(f"theta: {cell}", parameters="{w: 0.3}")
+    assert joint.kind is JointKind.REVOLUTE
+    assert (joint.sign, to_text(joint.theta)) == (sign, offset)
+    assert (joint.d, joint.a, joint.alpha) == (ZERO, ZERO, ZERO)
+
+
+def test_a_prismatic_joint() -> None:
+    joint = row("theta: pi/2, d: d1 - q, a: 0.1", parameters="{d1: 0.3}")
+    assert (joint.kind, joint.sign, joint.d) == (JointKind.PRISMATIC, -1, Name("d1"))
+    assert to_text(joint.theta) == "pi/2"
+
+
+@pytest.mark.parametrize(
+    ("cells", "at", "message"),
+    [
+        ("theta: 0", "{", "no variable: write q in theta (revolute) or in d (prismatic)"),
+        ("theta: q, d: q", "q", "q stands in theta already: a joint has one variable"),
+        ("theta: 2*q", "2*q", "q stands alone, with a sign or with an offset"),
+        ("theta: q + q", "q + q", "q stands alone, with a sign or with an offset"),
+        ("theta: q - q", "q - q", "q stands alone, with a sign or with an offset"),
+        ("theta: sin(q)", "sin(q)", "q stands alone, with a sign or with an offset"),
+        ("theta: q**1", "q**1", "q stands alone, with a sign or with an offset"),
+        ("theta: q, a: q", "q", "the variable q stands in theta or in d of a joint only"),
+        ("theta: q, limits: [0]", "[", "expected 2 values, not 1"),
+        ("theta: q, limits: [1, 1]", "[", "the lower limit 1 is not below the upper one 1"),
+        ("theta: q, limits: [1, -1]", "[", "the lower limit 1 is not below the upper one -1"),
+        ("theta: q, limits: [-inf, 1]", "inf", "unknown name 'inf'"),
+        ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
+        ("theta: , d: q", ",", "expected a number, an expression or a text, not nothing"),
+        ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
+        ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
+    ],
+)
+def test_refused_rows(cells: str, at: str, message: str) -> None:
+    (found,) = mistakes(table(cells))
+    assert found.message.startswith(message)
+    assert marked(found) == at
+
+
+def test_all_mistakes_of_a_file_come_at_once_and_in_its_order() -> None:
+    text = table(
+        "theta: q, a: x, aplha: 0", "theta: 0", "d: q, alpha: 1/0", tool="{rpy: [0]}", task="t"
+    )
+    found = mistakes(f"{text}units: {{angle: grad}}\n")
+    assert [d.message.split(" ")[0] for d in found] == [
+        "expected",
+        "'t':",
+        "unknown",
+        "unknown",
+        "no",
+        "division",
+        "expected",
+    ]
+    assert sorted(found, key=lambda d: (d.line, d.column)) == list(found)
+
+
+@pytest.mark.parametrize("cell", ["pi/2", "90 deg", "0.5*pi", "pi - pi/2", "1.5707963267948966"])
+def test_a_right_angle_is_exact_without_a_notice(cell: str) -> None:
+    loaded = robot(table(f"theta: q, alpha: {cell}"))
+    assert [to_text(getattr(joint, "alpha", ZERO)) for joint in loaded.joints] == ["pi/2"]
+    assert not loaded.notices
+
+
+@pytest.mark.parametrize(
+    ("cell", "alpha", "message"),
+    [
+        ("1.57079632679", "pi/2", "is 4.9e-12 away from pi/2 and taken as pi/2"),
+        ("-3.1415926536", "-pi", "is 1.0e-11 away from -pi and taken as -pi"),
+        ("1e-10", "0", "is 1.0e-10 away from 0 and taken as 0"),
+        ("0.5235987756", "pi/6", "is 1.7e-12 away from pi/6 and taken as pi/6"),
+        ("1.5708", "1.5708", "is 3.7e-06 away from pi/2: write pi/2 if that is meant"),
+        ("1.571", "1.571", "is 2.0e-04 away from pi/2: write pi/2 if that is meant"),
+        ("-1.5708", "-1.5708", "is 3.7e-06 away from -(pi/2): write -(pi/2) if that is meant"),
+        ("3.1416", "3.1416", "is 7.3e-06 away from pi: write pi if that is meant"),
+        (
+            "90.01 deg",
+            "90.01*(pi/180)",
+            "is 1.0e-02 away from 90 deg: write 90 deg if that is meant",
+        ),
+    ],
+)
+def test_angles_that_mean_something_else_are_told(cell: str, alpha: str, message: str) -> None:
+    loaded = robot(table(f"theta: q, alpha: {cell}"))
+    assert [to_text(getattr(joint, "alpha", ZERO)) for joint in loaded.joints] == [alpha]
+    (notice,) = loaded.notices
+    assert notice.message == f"'{cell}' {message}"
+    assert marked(notice) == cell
+
+
+@pytest.mark.parametrize("cell", ["0.3", "0.5236", "1.5", "w"])
+def test_other_angles_are_left_alone(cell: str) -> None:
+    loaded = robot(table(f"theta: q, alpha: {cell}", parameters="{w: 0.7}"))
+    assert [to_text(getattr(joint, "alpha", ZERO)) for joint in loaded.joints] == [cell]
+    assert not loaded.notices
+
+
+def test_lengths_next_to_nothing_are_zero() -> None:
+    loaded = robot(table("theta: q, d: -1e-10, a: l", parameters="{l: 0}"))
+    (joint,) = loaded.joints
+    assert (getattr(joint, "d", None), getattr(joint, "a", None)) == (ZERO, ZERO)
+    assert [notice.message for notice in loaded.notices] == [
+        "'-1e-10' is 1.0e-10 away from 0 and taken as 0"
+    ]
+
+
+def test_limits_have_the_unit_of_their_joint() -> None:
+    assert row("theta: q, limits: [-160 deg, pi]").limits == pytest.approx(
+        (math.radians(-160), math.pi)
+    )
+    assert row("d: q, limits: [0, 2*l]", parameters="{l: 0.25}").limits == (0.0, 0.5)
+    assert row("theta: q").limits is None
+
+
+def test_degrees() -> None:
+    joint = row("theta: q + 90, alpha: -45.5, limits: [-180, pi]", units="{angle: deg}")
+    assert to_text(joint.theta) == "pi/2"
+    assert to_text(joint.alpha) == "-45.5*(pi/180)"
+    assert joint.limits == pytest.approx((-math.pi, math.pi))
+
+
+@pytest.mark.parametrize("cell", ["30", "30 deg", "pi/6", "w", "v", "2*v/2", "60*sin(pi/6)"])
+def test_in_a_file_of_degrees_what_speaks_of_pi_is_in_radians(cell: str) -> None:
+    joint = row(f"theta: q, alpha: {cell}", units="{angle: deg}", parameters="{w: 30, v: pi/6}")
+    assert to_text(joint.alpha) == "pi/6"
+
+
+def test_degrees_leave_lengths_alone() -> None:
+    joint = row("d: q + 90, a: 45, limits: [0, 100]", units="{length: mm, angle: deg}")
+    assert (to_text(joint.d), to_text(joint.a), joint.limits) == ("90", "45", (0.0, 100.0))
+
+
+def test_a_slip_in_degrees_is_told_in_degrees() -> None:
+    loaded = robot(table("theta: q, alpha: 90.01", units="{angle: deg}"))
+    assert [notice.message for notice in loaded.notices] == [
+        "'90.01' is 1.0e-02 away from 90: write 90 if that is meant"
+    ]
+
+
+def test_axes() -> None:
+    loaded = robot(axes(f"{TURN}, limits: [-1, 1]", SLIDE))
+    assert isinstance(loaded.geometry, ReferenceAxes)
+    turn, slide = loaded.joints
+    assert isinstance(turn, AxisJoint)
+    assert (turn.kind, turn.limits) == (JointKind.REVOLUTE, (-1.0, 1.0))
+    assert (slide.kind, slide.limits) == (JointKind.PRISMATIC, None)
+
+
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        ("type: revolute, direction: [0, 0, 1]", "the key 'point' is missing: a revolute joint"),
+        ("direction: [0, 0, 1]", "the key 'type' is missing"),
+        ("type: revolute, point: [0, 0, 0]", "the key 'direction' is missing"),
+        ("type: prismatic, direction: [0, 0, 0]", "a direction of length 0 is no axis"),
+        ("type: prismatic, direction: [l - l, 0, 0]", "a direction of length 0 is no axis"),
+        ("type: rotary, direction: [0, 0, 1]", "expected 'revolute' or 'prismatic', not 'rotary'"),
+        ("type: prismatic, direction: [0, 1]", "expected 3 values, not 2"),
+        ("type: prismatic, direction: [0, 0, 1e12]", "the value 1e+12 is beyond 1e+09"),
+    ],
+)
+def test_refused_axes(entry: str, message: str) -> None:
+    assert mistake(axes(entry, parameters="{l: 1}")).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("name: r\n", "no joints: write them as 'joints' (a table) or as 'axes'"),
+        (f"{MINIMAL}axes:\n  - {{{SLIDE}}}\n", "a robot has joints or axes, not both"),
+        ("name: r\njoints: []\n", "a robot has 1 to 64 joints, not 0"),
+        ("name: r\naxes: []\n", "a robot has 1 to 64 joints, not 0"),
+        (table(*["theta: q"] * 65), "a robot has 1 to 64 joints, not 65"),
+        ("name: r\njoints: 3\n", "expected a list, not '3'"),
+        ("name: r\njoints:\n", "expected a list, not nothing"),
+        ("name: r\njoints: [3]\n", "expected keys with values, not '3'"),
+        (JOINTS, "the key 'name' is missing"),
+        (f"{MINIMAL}home: {{}}\n", "'home' goes with 'axes'; with 'joints' use 'tool'"),
+        (axes(SLIDE, convention="standard"), "'convention' goes with 'joints'"),
+        (f"{MINIMAL}convention: Modified\n", "expected 'standard' or 'modified', not 'Modified'"),
+        (f"{MINIMAL}jionts: []\n", "unknown key 'jionts'; did you mean 'joints'? valid: name, tit"),
+        (f"{MINIMAL}task: poses\n", "'poses': expected one of pose, position, orientation, pointi"),
+        (f"{MINIMAL}task: [x, x]\n", "a list: a list of coordinates holds some of x, y, z, each"),
+        (f"{MINIMAL}task: [w]\n", "a list: a list of coordinates holds some of x, y, z, each"),
+        (f"{MINIMAL}task: []\n", "a list: a list of coordinates holds some of x, y, z, each"),
+        (f"{MINIMAL}task: {{a: 1}}\n", "keys with values: expected one of pose"),
+        (f"{MINIMAL}free: [2]\n", "there is no joint 2: joints count from 1 to 1"),
+        (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints count from 1 to 1"),
+        (f"{MINIMAL}free: [-1]\n", "there is no joint -1: joints count from 1 to 1"),
+        (f"{MINIMAL}free: [1, 1]\n", "free joints stand in ascending order, each once"),
+        (f"{MINIMAL}free: [a]\n", "expected a joint number, not 'a'"),
+        (f"{MINIMAL}free: [1.5]\n", "expected a joint number, not '1.5'"),
+        (f"{MINIMAL}free: 1\n", "expected a list, not '1'"),
+        (f"{MINIMAL}units: {{length: parsec}}\n", "expected 'm', 'dm', 'cm', 'mm', 'um', 'in' or"),
+        (
+            f"{MINIMAL}units: {{agnle: deg}}\n",
+            "unknown key 'agnle'; did you mean 'angle'? valid: l",
+        ),
+    ],
+)
+def test_refused_files(text: str, message: str) -> None:
+    assert mistake(text).startswith(message)
+
+
+def test_the_file_around_the_joints() -> None:
+    text = table(*["theta: q"] * 3, convention="modified", free="[1, 3]", units="{length: mm}")
+    loaded = robot(text)
+    assert isinstance(loaded.geometry, DhTable)
+    assert loaded.geometry.convention is Convention.MODIFIED
+    assert (loaded.free, loaded.length_unit) == ((1, 3), "mm")
+    assert robot(MINIMAL).geometry == DhTable(Convention.STANDARD, (row("theta: q"),))
+
+
+@pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])
+def test_tasks(kind: str) -> None:
+    assert robot(f"{MINIMAL}task: {kind}\n").task == Task(TaskKind(kind))
+
+
+def test_a_task_of_coordinates_is_in_their_order() -> None:
+    assert robot(f"{MINIMAL}task: [z, x]\n").task == Task(TaskKind.COORDINATES, ("x", "z"))
+    assert robot(MINIMAL).task == Task(TaskKind.POSE)
+
+
+def test_parameters_may_use_those_before_them() -> None:
+    first, second = robot(f"{MINIMAL}parameters: {{l: 0.1, m: 2*l - 1}}\n").parameters
+    assert (first.name, first.expression, first.value) == ("l", Number(Fraction(1, 10)), 0.1)
+    assert (second.name, to_text(second.expression), second.value) == ("m", "2*l - 1", -0.8)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        ("{l: m, m: 1}", "the parameter 'm' is defined further down: move it up"),
+        ("{l: l}", "the parameter 'l' is defined further down: move it up"),
+        ("{l: q}", "the variable q stands in theta or in d of a joint only"),
+        ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
+        ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
+        ("{l: }", "expected a number, an expression or a text, not nothing"),
+        ("{l: [1]}", "expected a number, an expression or a text, not a list"),
+        ("[l]", "expected keys with values, not a list"),
+        ("{l: 1/0, m: 1/l}", "division by zero"),
+    ],
+)
+def test_refused_parameters(parameters: str, message: str) -> None:
+    assert mistake(f"{MINIMAL}parameters: {parameters}\n").startswith(message)
+
+
+def test_a_mistaken_parameter_entails_no_further_mistakes() -> None:
+    text = table("theta: q, a: 1/l, limits: [l, 0]", parameters="{l: 1/0}", tool="{xyz: [l, 0, 0]}")
+    assert mistake(text) == "division by zero"
+
+
+def test_negative_numbers_are_negated_ones() -> None:
+    assert row("theta: q, a: -0.1").a == Negate(Number(Fraction(1, 10)))

@@ -1,0 +1,125 @@
+"""YAML with positions, and what a robot file has no use for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+from robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, table
+
+from dhgen.errors import RobotFileError
+from dhgen.robot.load import load, load_text
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def test_positions_of_keys_and_values() -> None:
+    first, second = mistakes("name: r\njoints:\n  - {theta: q,\n     aplha: 0, a: x}\n")
+    assert (first.line, first.column, marked(first)) == (4, 6, "aplha")
+    assert (second.line, second.column, marked(second)) == (4, 19, "x")
+
+
+@pytest.mark.parametrize("cell", ["1 + x", "'1 + x'", '"1 + x"', "   1 + x"])
+def test_the_caret_stands_under_the_part_of_a_cell(cell: str) -> None:
+    (found,) = mistakes(table(f"theta: q, a: {cell}"))
+    assert marked(found) == "x"
+
+
+def test_a_folded_cell_is_marked_where_it_starts() -> None:
+    (found,) = mistakes("name: r\njoints:\n- theta: q\n  a: 1 +\n    x\n")
+    assert (found.line, found.column) == (4, 6)
+
+
+def test_line_ends_of_all_systems() -> None:
+    text = table("theta: q, a: x")
+    (unix,), (dos,) = mistakes(text), mistakes(text.replace("\n", "\r\n"))
+    assert unix == dos
+
+
+def test_a_byte_order_mark_is_passed_over(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_text(MINIMAL, encoding="utf-8-sig")
+    assert load(path).name == "r"
+
+
+def test_a_tab_does_not_move_the_caret() -> None:
+    (found,) = mistakes("name: r\njoints:\n  - {theta: q,\ta: x}\n")
+    assert "\t" not in found.source
+    assert marked(found) == "x"
+
+
+def test_duplicate_keys_are_all_reported() -> None:
+    found = mistakes("name: r\nname: s\njoints:\n  - {theta: q, theta: q}\n")
+    assert [(d.line, d.column) for d in found] == [(2, 1), (4, 16)]
+    assert found[0].message == "duplicate key 'name': line 1 has it too"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (f"name: &r r\n{JOINTS}", "anchors ('&r') have no place in a robot file"),
+        (f"name: *r\n{JOINTS}", "aliases ('*r') have no place in a robot file"),
+        (f"name: !!str r\n{JOINTS}", "tags (!) have no place in a robot file"),
+        (f"name: ! r\n{JOINTS}", "tags (!) have no place in a robot file"),
+        (f"{MINIMAL}base: {{<<: {{}}}}\n", "merge keys (<<) have no place in a robot file"),
+        (f"%YAML 1.1\n---\n{MINIMAL}", "YAML directives (%) have no place in a robot file"),
+        (
+            f"{MINIMAL}---\n{MINIMAL}",
+            "a robot file holds one document; give each robot its own file",
+        ),
+        (f"? [a]\n: 1\n{MINIMAL}", "a key is a name, not a collection"),
+        ("- 1\n", "expected keys with values, e.g. 'name: puma560'"),
+        ("robot", "expected keys with values, e.g. 'name: puma560'"),
+        ("", "the file is empty"),
+        ("# nothing\n", "the file is empty"),
+        ("---\n", "the file is empty"),
+        ('name: "\\UFFFFFFFF"', "this is no YAML: an escape names no character"),
+        ("name: a: b", "this is no YAML: mapping values are not allowed here"),
+    ],
+)
+def test_refused_yaml(text: str, message: str) -> None:
+    assert mistake(text) == message
+
+
+def test_a_syntax_error_has_its_place() -> None:
+    (found,) = mistakes("name: r\njoints: [\n")
+    assert (found.line, found.column) == (2, 10)
+    assert found.message.startswith("this is no YAML: ")
+
+
+def test_a_quoted_merge_key_is_a_plain_unknown_key() -> None:
+    assert mistake(f"{MINIMAL}'<<': 1\n").startswith("unknown key '<<'")
+
+
+@pytest.mark.parametrize("name", ["no.yaml", "./no.yaml", "../x/no.yaml"])
+def test_a_missing_file_is_shown_as_given(name: str) -> None:
+    with pytest.raises(RobotFileError, match="the file can't be read: No such file") as info:
+        load(name)
+    assert str(info.value).startswith(f"{name}: ")
+
+
+def test_a_folder_is_no_file(tmp_path: Path) -> None:
+    with pytest.raises(RobotFileError, match="the file can't be read: Is a directory"):
+        load(tmp_path)
+
+
+def test_a_file_name_with_nul() -> None:
+    with pytest.raises(RobotFileError, match="the file can't be read"):
+        load("a\0b")
+
+
+def test_a_file_that_is_not_utf8_says_where(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_bytes("name: r\ntitle: Žižka ".encode() + b"\xff\n" + JOINTS.encode())
+    with pytest.raises(RobotFileError) as info:
+        load(path)
+    (found,) = info.value.diagnostics
+    assert (found.line, found.column) == (2, 14)
+    assert found.message == "the file is not UTF-8: save it so"
+
+
+def test_paths_and_texts_load_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_text(MINIMAL, encoding="utf-8")
+    assert load(path) == load(str(path)) == load_text(MINIMAL, str(path))
