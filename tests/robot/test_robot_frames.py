@@ -41,7 +41,8 @@ def urdf(roll: float, pitch: float, yaw: float) -> NDArray[np.float64]:
     rx = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
     ry = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
     rz = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
-    return rz @ ry @ rx
+    matrix: NDArray[np.float64] = rz @ ry @ rx
+    return matrix
 
 
 def test_a_frame_that_is_left_out_is_the_identity() -> None:
