@@ -113,6 +113,17 @@ class Knowledge:
         turned = all(len(set(row)) == 1 for row in self.components)
         return turned and self.slides >= set(self.runs.algebra.slides)
 
+    @property
+    def open_joints(self) -> tuple[int, ...]:
+        """The joints that are not known yet."""
+        turned = [
+            joint
+            for run, row in zip(self.runs.runs, self.components, strict=True)
+            for place, (joint, _) in enumerate(run)
+            if row[place] != row[place + 1]
+        ]
+        return tuple(sorted(turned + [j for j in self.runs.algebra.slides if j not in self.slides]))
+
     def representative(self, angle: AngleSum) -> AngleSum:
         """The shortest angle sum that differs from an unknown one by what is known."""
         start, end, _ = self.runs.ends(angle)

@@ -1,0 +1,65 @@
+"""The derivation: the steps that solve an arm, with everything a reader or a program needs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.algebra import build_algebra
+from dhgen.paul.pool import build_pool
+from dhgen.paul.problem import build_problem
+from dhgen.paul.search import Search
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.paul.pool import Pool
+    from dhgen.paul.problem import Problem
+    from dhgen.paul.step import Step
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """Why the solver is what it is.
+
+    Attributes:
+        pool: The equations, with the points that have names.
+        steps: In the order of solving.
+        alternatives: At each step, the other steps that would have been valid.
+    """
+
+    pool: Pool
+    steps: tuple[Step, ...]
+    alternatives: tuple[tuple[Step, ...], ...]
+
+    @property
+    def problem(self) -> Problem:
+        """What is asked of the arm."""
+        return self.pool.problem
+
+    @property
+    def branches(self) -> int:
+        """The number of rows: the product of the steps' roots."""
+        count = 1
+        for step in self.steps:
+            count *= step.roots
+        return count
+
+
+def derive(chain: Chain) -> Derivation:
+    """Solves an arm by Paul's method.
+
+    Raises:
+        UnsolvedError: No order of steps makes every joint known.
+    """
+    pool = build_pool(build_problem(build_algebra(chain)))
+    search = Search(pool)
+    for route in search.routes():
+        return Derivation(pool, route.steps, route.alternatives)
+    raise UnsolvedError(_refusal(search))
+
+
+def _refusal(search: Search) -> str:
+    open_joints = search.deepest.open_joints
+    names = ", ".join(str(joint) for joint in open_joints)
+    return f"no order of equations gives joints {names}"

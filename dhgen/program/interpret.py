@@ -1,0 +1,139 @@
+"""The meaning of a program: a NumPy interpreter over many poses at once.
+
+Every value is an array of shape (poses, 2 or 1, 2 or 1, ...), one place for each branch sign.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.program.ir import Apply, Guard, Integer, Joint, Let, Pose, Variable
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from dhgen.program.ir import Expression, Program
+
+    Array = NDArray[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """What a program gives for N poses and B rows.
+
+    Attributes:
+        q: Joint values, shape (N, B, n), NaN where there is no solution.
+        solved: Shape (N, B).
+        free: Whether some joint took the seed's value, shape (N, B).
+    """
+
+    q: NDArray[np.float64]
+    solved: NDArray[np.bool_]
+    free: NDArray[np.bool_]
+
+
+def interpret(
+    program: Program,
+    poses: NDArray[np.float64],
+    seed: NDArray[np.float64] | None = None,
+    free: NDArray[np.float64] | None = None,
+) -> Rows:
+    """Runs a program.
+
+    Args:
+        program: What to run.
+        poses: Shape (N, 4, 4).
+        seed: Values for joints that are indeterminate, shape (N, n) or (n,); zeros without it.
+        free: Values of the joints that the caller gives, shape (N, n) or (n,), by joint number.
+    """
+    return _Run(program, poses, seed, free).rows()
+
+
+class _Run:
+    def __init__(
+        self,
+        program: Program,
+        poses: NDArray[np.float64],
+        seed: NDArray[np.float64] | None,
+        free: NDArray[np.float64] | None,
+    ) -> None:
+        self._program = program
+        self._poses = poses
+        count, dof = len(poses), len(program.joints)
+        self._given = {
+            "seed": np.broadcast_to(np.zeros(dof) if seed is None else seed, (count, dof)),
+            "free": np.broadcast_to(np.zeros(dof) if free is None else free, (count, dof)),
+        }
+        self._shape = (count, *(2 for _ in program.axes))
+        self._values: dict[str, Array] = {c.name: np.float64(c.value) for c in program.constants}
+        for place, axis in enumerate(program.axes):
+            sign = np.array([1.0, -1.0])
+            self._values[axis.name] = sign.reshape([2 if p == place + 1 else 1 for p in range(len(self._shape))])
+
+    def rows(self) -> Rows:
+        alive = np.ones(self._shape, dtype=bool)
+        with np.errstate(all="ignore"):
+            for statement in self._program.body:
+                if isinstance(statement, Let):
+                    self._values[statement.name] = self._value(statement.expression)
+                elif isinstance(statement, Guard):
+                    alive &= self._value(statement.condition)
+            joints = [self._flat(self._values[name]) for name in self._program.joints]
+        chosen = np.zeros(self._shape, dtype=bool)
+        for _, name in self._program.free:
+            chosen |= self._values[name]
+        solved = self._flat(alive)
+        q = np.stack(joints, axis=-1)
+        q[~solved] = np.nan
+        return Rows(q, solved, self._flat(chosen) & solved)
+
+    def _flat(self, value: Array) -> Array:
+        return np.broadcast_to(value, self._shape).reshape(self._shape[0], -1).copy()
+
+    def _column(self, values: Array) -> Array:
+        return values.reshape(-1, *(1 for _ in self._program.axes))
+
+    def _value(self, expression: Expression) -> Array:
+        match expression:
+            case Variable(name):
+                return self._values[name]
+            case Integer(value):
+                return np.float64(value)
+            case Pose(row, column):
+                return self._column(self._poses[:, row - 1, column - 1])
+            case Joint(number, role):
+                return self._column(self._given[role][:, number - 1])
+            case Apply(operator, operands):
+                return _OPERATORS[operator](*(self._value(operand) for operand in operands))
+
+
+def wrap(angle: Array) -> Array:
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - 2.0 * np.pi * np.round(angle / (2.0 * np.pi))
+
+
+_OPERATORS: dict[str, Callable[..., Array]] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "div": np.divide,
+    "neg": np.negative,
+    "abs": np.abs,
+    "sqrt": np.sqrt,
+    "atan2": np.arctan2,
+    "sin": np.sin,
+    "cos": np.cos,
+    "wrap": wrap,
+    "select": np.where,
+    "less": np.less,
+    "at_most": np.less_equal,
+    "and": np.logical_and,
+    "or": np.logical_or,
+    "not": np.logical_not,
+    "maximum": np.maximum,
+}

@@ -1,0 +1,176 @@
+"""The program: straight-line single assignment over real numbers, typed by branch axes.
+
+A value is not one number but an array over the branch axes it depends on: a value of type () is one
+number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, and the signs are the only source of
+axes: the type of every other value is the union of its operands' types. A scalar target loops over
+the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is computed twice.
+
+What the language does not have: loops, jumps, memory, calls, types other than real and truth value,
+and floating-point exceptions as a means of control. Divisors are guarded by selects, so that no operand
+is ever infinite because of a branch that is not taken. A branch that has no solution fails a guard:
+its rows are then without a solution, whatever its values are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Literal
+
+Operator = Literal[
+    "add", "sub", "mul", "div", "neg", "abs", "sqrt", "atan2", "sin", "cos", "wrap",
+    "select", "less", "at_most", "and", "or", "not", "maximum",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A sign that doubles the number of branches.
+
+    Attributes:
+        name: e1, e2, ...
+        meaning: What its two values are called, + first: ("lefty", "righty").
+        step: The number of the derivation's step that brings it in, from 1.
+    """
+
+    name: str
+    meaning: tuple[str, str]
+    step: int
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """The value of an earlier `Let`, a constant, or a sign."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Integer:
+    """A small whole number."""
+
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """An entry of the given pose T, row and column from 1."""
+
+    row: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A value that the caller gives for a joint, from 1: the seed's, or that of a free joint."""
+
+    number: int
+    role: Literal["seed", "free"]
+
+
+@dataclass(frozen=True, slots=True)
+class Apply:
+    """An operator and its operands."""
+
+    operator: Operator
+    operands: tuple[Expression, ...]
+
+
+Expression = Variable | Integer | Pose | Joint | Apply
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    """A value with a name.
+
+    Attributes:
+        name: Unique in the program.
+        expression: What it is.
+        axes: Positions in `Program.axes` of the signs it depends on, ascending.
+        truth: Whether it is a truth value.
+    """
+
+    name: str
+    expression: Expression
+    axes: tuple[int, ...]
+    truth: bool = False
+
+
+class Failure(Enum):
+    """Why a guard ends a branch."""
+
+    REACH = "out of reach"
+    MERGED = "the same solution as the branch with the other sign"
+    INCONSISTENT = "the pose is none that this arm can take"
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """Ends the branches on which the condition is false.
+
+    Attributes:
+        condition: A truth value.
+        axes: The signs it depends on.
+        failure: Why.
+        margin: For REACH, the value that must not be negative; else None.
+        chosen: Names of the truth values that say a joint was free before this guard, so that
+            another choice might pass.
+    """
+
+    condition: Expression
+    axes: tuple[int, ...]
+    failure: Failure
+    margin: Expression | None = None
+    chosen: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """The step that the following statements belong to."""
+
+    text: str
+    axes: tuple[int, ...]
+
+
+Statement = Let | Guard | Heading
+
+
+@dataclass(frozen=True, slots=True)
+class NamedConstant:
+    """A number of the arm or of the table of tolerances.
+
+    Attributes:
+        name: As it stands in the expressions.
+        value: Its value.
+        meaning: For a comment.
+    """
+
+    name: str
+    value: float
+    meaning: str
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A solver without its surroundings (input check, limits, statuses).
+
+    Attributes:
+        name: The robot's identifier.
+        constants: Every number that occurs.
+        axes: The branch signs, in the order in which rows count: the first changes slowest.
+        body: Statements; a name is used only after its `Let`.
+        joints: The name of each joint's value.
+        free: The truth value that says a joint was chosen, by joint number.
+    """
+
+    name: str
+    constants: tuple[NamedConstant, ...]
+    axes: tuple[Axis, ...]
+    body: tuple[Statement, ...]
+    joints: tuple[str, ...]
+    free: tuple[tuple[int, str], ...]
+
+    @property
+    def rows(self) -> int:
+        """How many branches there are."""
+        return 2 ** len(self.axes)

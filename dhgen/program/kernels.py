@@ -1,0 +1,266 @@
+"""The kernels: one closed form for each equation type, with what happens where it degenerates.
+
+Sources: the table of types of document 003 (after W. Khalil and E. Dombre, Modeling, Identification
+and Control of Robots, 2002, chapter 4); the forms without division are those of DESIGN, section 3.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.forms import Length
+from dhgen.paul.step import Kind
+from dhgen.program.ir import Failure
+from dhgen.program.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from dhgen.paul.step import Step
+    from dhgen.program.builder import Node
+    from dhgen.program.lower import Lowering
+
+
+def lower_length(context: Lowering, step: Step) -> None:
+    """Type 1: r = Y / X."""
+    (unknown,) = step.unknowns
+    assert isinstance(unknown, Length)
+    value = context.builder.div(
+        context.lower(step.coefficient("Y")), context.lower(step.coefficient("X"))
+    )
+    context.solved_slide(unknown.name, value)
+
+
+def lower_angle(context: Lowering, step: Step) -> None:
+    """Type 2: X s + Y c = Z."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    x = builder.name(context.lower(step.coefficient("X")), f"X{angle.suffix}")
+    y = builder.name(context.lower(step.coefficient("Y")), f"Y{angle.suffix}")
+    degree = max(context.degree(step.coefficient("X")), context.degree(step.coefficient("Y")))
+    if not step.coefficient("Z"):
+        _homogeneous(context, step, angle, x, y, degree)
+        return
+    z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
+    square = builder.name(builder.add(builder.square(x), builder.square(y)), f"N{angle.suffix}")
+    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
+    fixed = context.algebra_constant(step.coefficient("X"), step.coefficient("Y"))
+    free = None if fixed else _is_short_square(context, square, degree, angle)
+    root = _signed_root(context, angle, discriminant, 2 * degree, free)
+    safe = square if free is None else builder.select(free, builder.integer(1), square)
+    inverse = builder.div(builder.integer(1), safe)
+    sine = builder.add(builder.mul(x, z), builder.mul(y, root))
+    cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
+    _finish(context, step, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
+    _remember(context, step, angle, z, root)
+
+
+def _homogeneous(
+    context: Lowering, step: Step, angle: AngleSum, x: Node, y: Node, degree: int
+) -> None:
+    """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
+    builder = context.builder
+    square = builder.add(builder.square(x), builder.square(y))
+    length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
+    free = _is_short(context, length, degree, angle)
+    sign = builder.sign(("+", "-"), context.step_number)
+    _merge(context, sign, free)
+    safe = builder.select(free, builder.integer(1), length)
+    factor = builder.div(sign, safe)
+    cosine = builder.neg(builder.mul(x, factor))
+    _finish(context, step, angle, cosine, builder.mul(y, factor), free)
+    root = builder.mul(sign, length)
+    _remember(context, step, angle, builder.integer(0), root)
+
+
+def lower_angle_pair(context: Lowering, step: Step) -> None:
+    """Type 3: Cramer's rule, made a unit vector where rounding or the pose may spoil it."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    x1, y1, z1, x2, y2, z2 = (
+        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "Z1", "X2", "Y2", "Z2")
+    )
+    determinant = builder.sub(builder.mul(x1, y2), builder.mul(x2, y1))
+    sine = builder.sub(builder.mul(z1, y2), builder.mul(z2, y1))
+    cosine = builder.sub(builder.mul(x1, z2), builder.mul(x2, z1))
+    factors = [step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")]
+    if context.algebra_constant(*factors) and not context.redundant:
+        sine, cosine = builder.div(sine, determinant), builder.div(cosine, determinant)
+        _finish(context, step, angle, cosine, sine, None)
+        return
+    degree = max(context.degree(f) for f in factors) + max(
+        context.degree(step.coefficient(letter)) for letter in ("Z1", "Z2")
+    )
+    facing = _sign_of(context, determinant, step)
+    length = builder.apply("sqrt", builder.add(builder.square(sine), builder.square(cosine)))
+    length = builder.name(length, f"w{angle.suffix}")
+    free = _is_short(context, length, degree, angle)
+    safe = builder.select(free, builder.integer(1), length)
+    factor = builder.div(facing, safe)
+    _finish(context, step, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
+
+
+def _sign_of(context: Lowering, determinant: Node, step: Step) -> Node:
+    """+1 or -1 as the determinant, which is known where X2, Y2 is X1, Y1 turned."""
+    builder = context.builder
+    x1, y1, x2, y2 = (step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2"))
+    if (x2, y2) == (-y1, x1):
+        return builder.integer(1)
+    if (x2, y2) == (y1, -x1):
+        return builder.integer(-1)
+    negative = builder.apply("less", determinant, builder.integer(0))
+    return builder.select(negative, builder.integer(-1), builder.integer(1))
+
+
+def lower_polar(context: Lowering, step: Step) -> None:
+    """Type 4: r and its angle are polar coordinates, or the opposite ones."""
+    angle, unknown = step.unknowns
+    assert isinstance(angle, AngleSum)
+    assert isinstance(unknown, Length)
+    builder = context.builder
+    x1, y1, x2, y2 = (
+        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "X2", "Y2")
+    )
+    u, v = builder.div(y1, x1), builder.div(y2, x2)
+    length = builder.apply("sqrt", builder.add(builder.square(u), builder.square(v)))
+    length = builder.name(length, f"w{unknown.joint}")
+    free = _is_short(context, length, 1, angle)
+    sign = builder.sign(("+", "-"), context.step_number)
+    _merge(context, sign, free)
+    factor = builder.div(sign, builder.select(free, builder.integer(1), length))
+    _finish(context, step, angle, builder.mul(v, factor), builder.mul(u, factor), free)
+    context.solved_slide(unknown.name, builder.mul(sign, length))
+
+
+def lower_angle_and_length(context: Lowering, step: Step) -> None:
+    """Type 5: a quadratic in r, then the angle."""
+    angle, unknown = step.unknowns
+    assert isinstance(angle, AngleSum)
+    assert isinstance(unknown, Length)
+    builder = context.builder
+    x1, y1, z1, x2, y2, z2 = (
+        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "Z1", "X2", "Y2", "Z2")
+    )
+    v1, w1 = builder.div(y1, x1), builder.div(z1, x1)
+    v2, w2 = builder.div(y2, x2), builder.div(z2, x2)
+    a = builder.add(builder.square(w1), builder.square(w2))
+    b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
+    size = builder.add(builder.square(v1), builder.square(v2))
+    c = builder.sub(size, builder.integer(1))
+    discriminant = builder.sub(builder.square(b), builder.mul(a, c))
+    builder.name(discriminant, f"D{unknown.joint}")
+    root = _signed_root(context, angle, discriminant, -2, None)
+    r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
+    context.solved_slide(unknown.name, r)
+    sine = builder.add(v1, builder.mul(w1, r))
+    cosine = builder.add(v2, builder.mul(w2, r))
+    _finish(context, step, angle, cosine, sine, None)
+
+
+def lower_two_angles(context: Lowering, step: Step) -> None:
+    """Types 6, 7, 8 for the difference of the angles: the law of cosines.
+
+    With H and L the squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is
+    accurate also where the arm is nearly folded.
+    """
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    z1, z2 = context.lower(step.coefficient("Z1")), context.lower(step.coefficient("Z2"))
+    reach = builder.name(
+        builder.add(builder.square(z1), builder.square(z2)), f"N{angle.suffix}"
+    )
+    x, y = context.lower(step.coefficient("X")), context.lower(step.coefficient("Y"))
+    k = builder.sub(reach, context.lower(step.coefficient("N")))
+    builder.name(k, f"K{angle.suffix}")
+    degree = 2 * context.degree(step.coefficient("Y") or step.coefficient("X"))
+    square = builder.add(builder.square(x), builder.square(y))
+    if context.algebra_constant(*(v for key, v in step.coefficients if key[0] in "VW")):
+        longest, shortest = context.extreme_reach(step)
+        discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
+    else:
+        discriminant = builder.sub(square, builder.square(k))
+    builder.name(discriminant, f"D{angle.suffix}")
+    root = _signed_root(context, angle, discriminant, degree, None)
+    if builder.is_zero(x):
+        sine, cosine = builder.div(root, y), builder.div(k, y)
+    else:
+        sine = builder.div(builder.add(builder.mul(x, k), builder.mul(y, root)), square)
+        cosine = builder.div(builder.sub(builder.mul(y, k), builder.mul(x, root)), square)
+    _finish(context, step, angle, cosine, sine, None)
+
+
+def _signed_root(
+    context: Lowering, angle: AngleSum, discriminant: Node, degree: int, free: Node | None
+) -> Node:
+    """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet."""
+    builder = context.builder
+    degree = abs(degree) if degree >= 0 else 0
+    reach = context.tolerance(TOLERANCES.reach, degree, "reach")
+    merge = context.tolerance(TOLERANCES.merge, degree, "merge")
+    inside = builder.apply("at_most", builder.neg(reach), discriminant)
+    builder.guard(inside, Failure.REACH, discriminant, context.free_flags())
+    apart = builder.name(builder.apply("less", merge, discriminant), f"apart{angle.suffix}")
+    kept = builder.select(apart, discriminant, builder.integer(0))
+    length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
+    sign = builder.sign(("+", "-"), context.step_number)
+    met = builder.apply("not", apart)
+    _merge(context, sign, met if free is None else builder.apply("or", met, free))
+    return builder.mul(sign, length)
+
+
+def _merge(context: Lowering, sign: Node, met: Node) -> None:
+    """Where both signs give the same, only + keeps it."""
+    builder = context.builder
+    plus = builder.apply("less", builder.integer(0), sign)
+    keep = builder.apply("or", plus, builder.apply("not", met))
+    builder.guard(keep, Failure.MERGED)
+
+
+def _is_short(context: Lowering, length: Node, degree: int, angle: AngleSum) -> Node:
+    builder = context.builder
+    limit = context.tolerance(TOLERANCES.free, degree, "free")
+    return builder.name(builder.apply("at_most", length, limit), f"free{angle.suffix}")
+
+
+def _is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
+    builder = context.builder
+    limit = context.tolerance(TOLERANCES.free**2, 2 * degree, "free_square")
+    return builder.name(builder.apply("at_most", square, limit), f"free{angle.suffix}")
+
+
+def _finish(
+    context: Lowering, step: Step, angle: AngleSum, cosine: Node, sine: Node, free: Node | None
+) -> None:
+    """The angle is known; where it is free the seed's value stands for it."""
+    del step
+    builder = context.builder
+    if free is not None:
+        seed = context.seed_angle(angle)
+        context.chosen(angle, free)
+        cosine = builder.select(free, builder.apply("cos", seed), cosine)
+        sine = builder.select(free, builder.apply("sin", seed), sine)
+    context.solved_angle(angle, cosine, sine)
+
+
+def _remember(context: Lowering, step: Step, angle: AngleSum, z: Node, root: Node) -> None:
+    """X s + Y c is Z and Y s - X c is the signed root: later steps need not compute them."""
+    x, y = step.coefficient("X"), step.coefficient("Y")
+    s, c = context.generators(angle)
+    context.polynomials.remember(x * s + y * c, z)
+    context.polynomials.remember(y * s - x * c, root)
+
+
+KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {
+    Kind.LENGTH: lower_length,
+    Kind.ANGLE: lower_angle,
+    Kind.ANGLE_PAIR: lower_angle_pair,
+    Kind.POLAR: lower_polar,
+    Kind.ANGLE_AND_LENGTH: lower_angle_and_length,
+    Kind.TWO_ANGLES: lower_two_angles,
+    Kind.TWO_ANGLES_TURNED: lower_two_angles,
+    Kind.ANGLE_AND_SUM: lower_two_angles,
+}

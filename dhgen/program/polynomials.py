@@ -1,0 +1,154 @@
+"""From polynomials to program values: nested by the order in which joints were solved.
+
+The joint solved last stands outermost, so that the inner parts depend on fewer signs and are shared.
+Linear forms that a solved equation fixes are not computed again: after X s + Y c = Z, the form X s + Y c
+is Z, and Y s - X c is the signed root.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import gcd
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.program.builder import Builder, Node
+
+
+class PolynomialLowering:
+    """Lowers polynomials of one arm, given the values of its generators.
+
+    Attributes:
+        builder: Where the values go.
+    """
+
+    def __init__(
+        self, algebra: Algebra, builder: Builder, value: Callable[[str], Node]
+    ) -> None:
+        self.builder = builder
+        self._algebra = algebra
+        self._value = value
+        self._rank: dict[int, int] = {}
+        self._pairs: dict[int, tuple[int, int]] = {}
+        self._forms: dict[Polynomial, Node] = {}
+        for angle in algebra.angles:
+            pair = (algebra.index[angle.cosine], algebra.index[angle.sine])
+            self._pairs[pair[0]] = self._pairs[pair[1]] = pair
+        self._names = [str(symbol) for symbol in algebra.ring.symbols]
+        constants = len(algebra.chain.ring.gens)
+        for place in range(len(self._names) - constants, len(self._names)):
+            self._rank[place] = -1
+
+    def solved(self, *names: str) -> None:
+        """These generators became known: they stand outside all earlier ones."""
+        rank = max(self._rank.values(), default=0) + 1
+        for name in names:
+            self._rank.setdefault(self._algebra.index[name], max(rank, 1))
+
+    def remember(self, form: Polynomial, node: Node) -> None:
+        """This form need not be computed: it is that value."""
+        if len(form) > 1:
+            factor, primitive = _primitive(form)
+            if factor == 1:
+                self._forms.setdefault(primitive, node)
+            elif factor == -1:
+                self._forms.setdefault(primitive, self.builder.neg(node))
+
+    def lower(self, polynomial: Polynomial) -> Node:
+        """The value of a polynomial."""
+        builder = self.builder
+        if not polynomial:
+            return builder.integer(0)
+        factor, primitive = _primitive(polynomial)
+        content, rest = _content(primitive)
+        node = self._nested(rest)
+        for place, exponent in enumerate(content):
+            for _ in range(exponent):
+                node = builder.mul(self._value(self._names[place]), node)
+        scaled = builder.mul(builder.integer(factor.numerator), node)
+        return builder.div(scaled, builder.integer(factor.denominator))
+
+    def _nested(self, polynomial: Polynomial) -> Node:
+        """A polynomial without common factors."""
+        known = self._forms.get(polynomial)
+        if known is not None:
+            return known
+        places = {p for monomial in polynomial for p, exponent in enumerate(monomial) if exponent}
+        if not places:
+            coefficient = polynomial.coeff(1)
+            return self.builder.integer(int(coefficient))
+        outermost = max(places, key=lambda place: (self._rank.get(place, 0), -place))
+        pair = self._pairs.get(outermost)
+        group = set(pair) if pair is not None and self._rank.get(outermost, 0) > 0 else {outermost}
+        inside, outside = _split(polynomial, group)
+        total = self._known_or_sum(inside, sorted(group))
+        return self.builder.add(total, self.lower(outside)) if outside else total
+
+    def _known_or_sum(self, inside: Polynomial, group: list[int]) -> Node:
+        """The terms in one joint: a remembered form, or c A + s B."""
+        builder = self.builder
+        factor, primitive = _primitive(inside)
+        content, rest = _content(primitive)
+        if rest in self._forms and not any(content[place] for place in group):
+            node = self._forms[rest]
+            for place, exponent in enumerate(content):
+                for _ in range(exponent):
+                    node = builder.mul(self._value(self._names[place]), node)
+            scaled = builder.mul(builder.integer(factor.numerator), node)
+            return builder.div(scaled, builder.integer(factor.denominator))
+        total = builder.integer(0)
+        for place in group:
+            part, inside = _split(inside, {place})
+            if part:
+                quotient = _divided(part, place)
+                total = builder.add(
+                    total, builder.mul(self._value(self._names[place]), self.lower(quotient))
+                )
+        return total
+
+
+def _primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
+    """The rational factor that leaves whole, coprime coefficients with a positive first one."""
+    parts = [Fraction(int(c.numerator), int(c.denominator)) for _, c in polynomial.terms()]
+    numerator = gcd(*(abs(part.numerator) for part in parts))
+    denominator = 1
+    for part in parts:
+        denominator = denominator * part.denominator // gcd(denominator, part.denominator)
+    factor = Fraction(numerator, denominator) * (1 if parts[0] > 0 else -1)
+    domain = polynomial.ring.domain
+    return factor, polynomial.mul_ground(domain(factor.denominator) / domain(factor.numerator))
+
+
+def _content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
+    """The common monomial, and what is left without it."""
+    monomials = list(polynomial)
+    common = tuple(min(exponents) for exponents in zip(*monomials, strict=True))
+    if not any(common):
+        return common, polynomial
+    lowered = {
+        tuple(e - c for e, c in zip(monomial, common, strict=True)): coefficient
+        for monomial, coefficient in polynomial.terms()
+    }
+    return common, polynomial.ring.from_dict(lowered)
+
+
+def _split(polynomial: Polynomial, places: set[int]) -> tuple[Polynomial, Polynomial]:
+    """The terms with any of these generators, and the others."""
+    inside, outside = {}, {}
+    for monomial, coefficient in polynomial.terms():
+        target = inside if any(monomial[place] for place in places) else outside
+        target[monomial] = coefficient
+    return polynomial.ring.from_dict(inside), polynomial.ring.from_dict(outside)
+
+
+def _divided(polynomial: Polynomial, place: int) -> Polynomial:
+    """A polynomial of which every term holds the generator, without it."""
+    lowered = {
+        (*monomial[:place], monomial[place] - 1, *monomial[place + 1 :]): coefficient
+        for monomial, coefficient in polynomial.terms()
+    }
+    return polynomial.ring.from_dict(lowered)

@@ -1,0 +1,42 @@
+"""Every tolerance of the generated code, with its reason. Nothing else decides what is zero.
+
+Lengths are relative to the size of the arm; rounding in a pose is a few 1e-16 of it, after the
+products of a derivation a few 1e-15.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerances:
+    """The frozen table.
+
+    Attributes:
+        free: A vector that should fix an angle is no longer than this: the joint is free. Above
+            rounding, which is larger than usual where the arm is nearly folded; a direction taken
+            from a vector just longer is good to 1e-3 rad and its residual is still this small.
+        reach: A discriminant may be this far below zero: a pose on the workspace boundary,
+            stretched or folded, lands there by rounding.
+        merge: A discriminant below this is zero: the two branches have met. Above rounding, so
+            that a stretched arm is one solution, not two that differ by 1e-8.
+        orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
+            is taken as it is.
+        rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
+            precision, or rounded to six digits. Beyond it the pose is invalid.
+        consistent: A pose that has more entries than the arm has joints may miss by this: it
+            may have been rounded to six digits.
+        limit: A joint value may miss its limit by this: rounding of the angle itself.
+    """
+
+    free: float = 1e-12
+    reach: float = 1e-12
+    merge: float = 1e-14
+    orthonormal: float = 1e-24
+    rotation: float = 1e-9
+    consistent: float = 1e-5
+    limit: float = 1e-9
+
+
+TOLERANCES = Tolerances()
