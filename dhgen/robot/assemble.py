@@ -124,16 +124,18 @@ class _Assembly:
 
     def _free(self, joints: int) -> tuple[int, ...]:
         plain = self.document.plain(("free",)) if self.document.has("free") else []
-        if not isinstance(plain, list) or not self.shape.right(("free",)):
-            return ()
-        free = [int(number) for number in plain]
-        for i, number in enumerate(free):
+        free: list[int] = []
+        for i, entry in enumerate(plain if isinstance(plain, list) else []):
+            path = ("free", i)
+            if not self.shape.right(path):
+                continue
+            number = int(entry)
             if not 1 <= number <= joints:
                 message = f"there is no joint {number}: joints count from 1 to {joints}"
-                self.report.error(("free", i), message)
-            elif i and number <= free[i - 1]:
-                message = "free joints stand in ascending order, each once"
-                self.report.error(("free", i), message)
+                self.report.error(path, message)
+            elif free and number <= free[-1]:
+                self.report.error(path, "free joints stand in ascending order, each once")
+            free.append(number)
         return tuple(free)
 
     def _count(self, key: str) -> int:

@@ -41,25 +41,35 @@ def read_frame(cells: Cells, path: Path, entry: FrameEntry) -> Frame:
         path: Where the frame stands.
         entry: Its keys.
     """
-    given = [key for key in _ROTATIONS if key in entry.model_fields_set]
+    document = cells.report.document
+    keys = ["matrix"] if entry.matrix else []
+    if isinstance(plain := document.plain(path), dict):
+        keys = [key for key in plain if getattr(entry, key, None)]
+    given = [key for key in keys if key in _ROTATIONS]
     for key in given[1:]:
         message = f"'{given[0]}' gives the rotation already: write one of {', '.join(_ROTATIONS)}"
         cells.report.error_at_key((*path, key), message)
-    if "matrix" in given:
-        if entry.xyz:
-            message = "'matrix' gives the translation already: write one of xyz, matrix"
-            cells.report.error_at_key((*path, "xyz"), message)
-        return _from_matrix(cells, (*path, "matrix"), entry.matrix)
+    if "matrix" in given and "xyz" in keys:
+        message = "'matrix' gives the translation already: write one of xyz, matrix"
+        cells.report.error_at_key((*path, "xyz"), message)
     xyz = read_lengths(cells, (*path, "xyz"), entry.xyz)
-    if "rpy" in given:
-        angles = [cells.angle((*path, "rpy", i), cell) for i, cell in enumerate(entry.rpy)]
-        return Frame(xyz, from_rpy(angles, [cells.value(angle) for angle in angles]))
-    for key, components in (("xyzw", entry.quaternion_xyzw), ("wxyz", entry.quaternion_wxyz)):
-        if components:
-            return Frame(
-                xyz, _from_quaternion(cells, (*path, f"quaternion_{key}"), key, components)
-            )
-    return Frame(xyz, IDENTITY)
+    frames = [_read_rotation(cells, (*path, key), entry, xyz) for key in given]
+    return frames[0] if frames else Frame(xyz, IDENTITY)
+
+
+def _read_rotation(
+    cells: Cells, path: Path, entry: FrameEntry, xyz: tuple[Expression, Expression, Expression]
+) -> Frame:
+    match path[-1]:
+        case "rpy":
+            angles = [cells.angle((*path, i), cell) for i, cell in enumerate(entry.rpy)]
+            return Frame(xyz, from_rpy(angles, [cells.value(angle) for angle in angles]))
+        case "quaternion_xyzw":
+            return Frame(xyz, _from_quaternion(cells, path, "xyzw", entry.quaternion_xyzw))
+        case "quaternion_wxyz":
+            return Frame(xyz, _from_quaternion(cells, path, "wxyz", entry.quaternion_wxyz))
+        case _:
+            return _from_matrix(cells, path, entry.matrix)
 
 
 def read_lengths(

@@ -245,6 +245,11 @@ def schema_text() -> str:
     return json.dumps(schema, indent=2, sort_keys=True) + "\n"
 
 
-if __name__ == "__main__":
-    target = Path(sys.argv[1] if len(sys.argv) > 1 else "robots/robot.schema.json")
+def main(arguments: list[str]) -> None:
+    """Write the schema to the given file, robots/robot.schema.json without one."""
+    target = Path(arguments[0] if arguments else "robots/robot.schema.json")
     target.write_text(schema_text(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

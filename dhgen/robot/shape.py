@@ -105,7 +105,7 @@ def _length_message(path: Path, details: ErrorDetails) -> str:
 
 
 _EXPECTED = {
-    "string_type": "a number, an expression or a text",
+    "string_type": "a number or an expression",
     "list_type": "a list",
     "model_type": "keys with values",
     "dict_type": "keys with values",
@@ -121,6 +121,8 @@ def _message(details: ErrorDetails) -> str:
     shown = quoted(given) if isinstance(given, str) else _kind(given)
     if details["type"] == "value_error":
         return f"{shown}: {context['error']}" if isinstance(given, str) else f"{context['error']}"
+    if details["type"] == "string_type" and details["loc"][0] in {"name", "title", "source"}:
+        return f"expected a text, not {shown}"
     expected = context.get("expected") or _EXPECTED.get(details["type"])
     return f"expected {expected}, not {shown}" if expected else f"{details['msg']}, not {shown}"
 

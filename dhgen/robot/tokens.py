@@ -57,7 +57,8 @@ def check_tokens(text: str) -> None:
             raise CellError(_stray(text[position]), Span(position))
         number, glued = match["number"], match["glued"]
         if glued:
-            message = f"{quoted(number + glued)} is no number; between factors stands a *"
+            hint = f"write '{number} deg'" if glued == "deg" else "between factors stands a *"
+            message = f"{quoted(number + glued)} is no number; {hint}"
             raise CellError(message, Span(position, len(number + glued)))
         if number:
             _check_number(number, position)

@@ -86,7 +86,7 @@ def test_what_a_cell_says(text: str, expected: Expression) -> None:
         ("1j", "1j", "'1j' is no number"),
         ("1_000", "1_000", "'1_000' is no number"),
         ("0x10", "0x10", "'0x10' is no number"),
-        ("10deg", "10deg", "'10deg' is no number"),
+        ("10deg", "10deg", "'10deg' is no number; write '10 deg'"),
         ("2a2", "2a2", "'2a2' is no number"),
         ("007", "007", "a number does not start with 0"),
         ("1e999999999", "1e999999999", "a decimal exponent is at most 30"),

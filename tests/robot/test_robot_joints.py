@@ -6,7 +6,6 @@ import math
 from fractions import Fraction
 
 import pytest
-from robot_texts import JOINTS, MINIMAL, axes, marked, mistake, mistakes, robot, row, table
 
 from dhgen.robot.expression import ZERO, Name, Negate, Number, to_text
 from dhgen.robot.robot import (
@@ -17,6 +16,17 @@ from dhgen.robot.robot import (
     ReferenceAxes,
     Task,
     TaskKind,
+)
+from tests.robot.robot_texts import (
+    JOINTS,
+    MINIMAL,
+    axes,
+    marked,
+    mistake,
+    mistakes,
+    robot,
+    row,
+    table,
 )
 
 TURN = "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]"
@@ -73,7 +83,7 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, limits: [1, -1]", "[", "the lower limit 1 is not below the upper one -1"),
         ("theta: q, limits: [-inf, 1]", "inf", "unknown name 'inf'"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
-        ("theta: , d: q", "theta", "expected a number, an expression or a text, not nothing"),
+        ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
     ],
@@ -280,8 +290,8 @@ def test_parameters_may_use_those_before_them() -> None:
         ("{l: q}", "the variable q stands in theta or in d of a joint only"),
         ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
         ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
-        ("{l: }", "expected a number, an expression or a text, not nothing"),
-        ("{l: [1]}", "expected a number, an expression or a text, not a list"),
+        ("{l: }", "expected a number or an expression, not nothing"),
+        ("{l: [1]}", "expected a number or an expression, not a list"),
         ("[l]", "expected keys with values, not a list"),
         ("{l: 1/0, m: 1/l}", "division by zero"),
     ],

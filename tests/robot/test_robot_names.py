@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from robot_texts import JOINTS, MINIMAL, mistake, robot
 
 from dhgen.robot.names import why_no_parameter_name, why_no_robot_name
+from tests.robot.robot_texts import JOINTS, MINIMAL, mistake, robot
 
 
 @pytest.mark.parametrize("name", ["puma560", "KR6_R900", "a", "x" * 48, "turtle", "c1"])

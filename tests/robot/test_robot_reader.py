@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, table
 
 from dhgen.errors import RobotFileError
 from dhgen.robot.load import load, load_text
+from tests.robot.robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, table
 
 if TYPE_CHECKING:
     from pathlib import Path
