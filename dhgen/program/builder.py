@@ -64,10 +64,17 @@ class _Mark:
 
 @dataclass(slots=True)
 class Builder:
-    """A program in the making."""
+    """A program in the making.
+
+    Attributes:
+        reserved: Names that values must not get.
+        axes: The branch signs so far.
+        folded: What the names of constants made from constants begin with.
+    """
 
     reserved: set[str] = field(default_factory=set)
     axes: list[Axis] = field(default_factory=list)
+    folded: str = "k"
     _entries: list[_Entry] = field(default_factory=list)
     _index: dict[object, Node] = field(default_factory=dict)
     _names: dict[Node, str] = field(default_factory=dict)
@@ -98,6 +105,10 @@ class Builder:
     def given(self, joint: int) -> Node:
         """The value that the caller gives for a free joint."""
         return self._add(_Entry(Joint(joint, "free"), None, (), (), None))
+
+    def joint(self, number: int) -> Node:
+        """The value of a joint, in forward programs."""
+        return self._add(_Entry(Joint(number, "q"), None, (), (), None))
 
     def sign(self, meaning: tuple[str, str], step: int) -> Node:
         """A new branch sign."""
@@ -220,13 +231,14 @@ class Builder:
         mark.axes = self._entries[condition].axes
         self._marks.append(mark)
 
-    def finish(self, name: str, joints: list[Node], free: list[tuple[int, Node]]) -> Program:
-        """The program whose rows are these joint values."""
-        for number, node in enumerate(joints, start=1):
-            self._names.setdefault(node, self._unique(f"q{number}"))
+    def finish(
+        self, name: str, results: dict[str, Node], free: list[tuple[int, Node]]
+    ) -> Program:
+        """The program with these results, by the names they get if they have none."""
+        named = [self.name(node, wanted) for wanted, node in results.items()]
         for number, node in free:
             self._names.setdefault(node, self._unique(f"free{number}"))
-        outputs = [*joints, *(node for _, node in free)]
+        outputs = [*named, *(node for _, node in free)]
         live = self._live(outputs)
         self._name_shared(live, outputs)
         body = tuple(self._statements(live))
@@ -236,7 +248,7 @@ class Builder:
             constants=tuple(c for c in self._constants.values() if c.name in used),
             axes=tuple(self.axes),
             body=body,
-            joints=tuple(self._names[node] for node in joints),
+            outputs=tuple(self._expression(node) for node in named),
             free=tuple((number, self._names[node]) for number, node in free),
         )
 
@@ -283,7 +295,8 @@ class Builder:
         return isinstance(self._entries[node].leaf, Integer)
 
     def _fold(self, value: Fraction, text: str) -> Node:
-        name = self._unique(f"k{sum(n.startswith('k') for n in self._constants) + 1}")
+        count = sum(name.startswith(self.folded) for name in self._constants)
+        name = self._unique(f"{self.folded}{count + 1}")
         self._constants[name] = NamedConstant(name, float(value), text)
         self._entries.append(_Entry(Variable(name), None, (), (), value))
         return len(self._entries) - 1
@@ -294,7 +307,7 @@ class Builder:
             return str(leaf.value)
         assert isinstance(leaf, Variable)
         known = self._constants[leaf.name]
-        folded = leaf.name.startswith("k") and any(s in known.meaning for s in (" + ", " - ", " * ", " / "))
+        folded = leaf.name.startswith(self.folded) and any(s in known.meaning for s in (" + ", " - ", " * ", " / "))
         return f"({known.meaning})" if folded else leaf.name
 
     def _unique(self, wanted: str) -> str:
@@ -352,9 +365,6 @@ class Builder:
                 entry = self._entries[node]
                 truth = entry.operator in TRUTHS
                 statements.append(Let(self._names[node], self._apply(node), entry.axes, truth))
-            elif node in live and node in self._names:
-                entry = self._entries[node]
-                statements.append(Let(self._names[node], self._leaf(node), entry.axes))
         statements += [self._statement(mark) for mark in pending]
         return statements
 

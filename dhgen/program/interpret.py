@@ -64,7 +64,7 @@ class _Run:
     ) -> None:
         self._program = program
         self._poses = poses
-        count, dof = len(poses), len(program.joints)
+        count, dof = len(poses), len(program.outputs)
         self._given = {
             "seed": np.broadcast_to(np.zeros(dof) if seed is None else seed, (count, dof)),
             "free": np.broadcast_to(np.zeros(dof) if free is None else free, (count, dof)),
@@ -83,7 +83,7 @@ class _Run:
                     self._values[statement.name] = self._value(statement.expression)
                 elif isinstance(statement, Guard):
                     alive &= self._value(statement.condition)
-            joints = [self._flat(self._values[name]) for name in self._program.joints]
+            joints = [self._flat(self._value(output)) for output in self._program.outputs]
         chosen = np.zeros(self._shape, dtype=bool)
         for _, name in self._program.free:
             chosen |= self._values[name]
@@ -114,7 +114,7 @@ class _Run:
 
 def wrap(angle: Array) -> Array:
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - 2.0 * np.pi * np.round(angle / (2.0 * np.pi))
+    return angle - 2.0 * np.pi * np.ceil(angle / (2.0 * np.pi) - 0.5)
 
 
 _OPERATORS: dict[str, Callable[..., Array]] = {

@@ -62,10 +62,13 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A value that the caller gives for a joint, from 1: the seed's, or that of a free joint."""
+    """A value that the caller gives for a joint, from 1.
+
+    The seed's, that of a free joint, or (in forward programs) the joint's own.
+    """
 
     number: int
-    role: Literal["seed", "free"]
+    role: Literal["seed", "free", "q"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,14 +155,14 @@ class NamedConstant:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A solver without its surroundings (input check, limits, statuses).
+    """A solver without its surroundings (input check, limits, statuses), or a forward model.
 
     Attributes:
         name: The robot's identifier.
         constants: Every number that occurs.
         axes: The branch signs, in the order in which rows count: the first changes slowest.
         body: Statements; a name is used only after its `Let`.
-        joints: The name of each joint's value.
+        outputs: The results: each joint's value, or the entries of a matrix row by row.
         free: The truth value that says a joint was chosen, by joint number.
     """
 
@@ -167,7 +170,7 @@ class Program:
     constants: tuple[NamedConstant, ...]
     axes: tuple[Axis, ...]
     body: tuple[Statement, ...]
-    joints: tuple[str, ...]
+    outputs: tuple[Expression, ...]
     free: tuple[tuple[int, str], ...]
 
     @property

@@ -66,7 +66,7 @@ class Lowering:
         if self._problem.redundant:
             self._check()
         self.builder.heading("joint values")
-        joints = [self._joint(number) for number in range(1, chain.dof + 1)]
+        joints = {f"q{number}": self._joint(number) for number in range(1, chain.dof + 1)}
         free = [(joint, self._any(flags)) for joint, flags in sorted(self._free.items())]
         return self.builder.finish(chain.name, joints, free)
 
@@ -88,10 +88,11 @@ class Lowering:
 
     def tolerance(self, relative: float, degree: int, kind: str) -> Node:
         """A tolerance for a value that is a product of `degree` lengths."""
-        names = {0: "", 1: "_length", 2: "_area"}
-        suffix = names.get(degree, f"_degree{degree}")
+        units = {0: "", 1: " [length]"}
         value = relative * self.size**degree
-        return self.constant(f"{kind}{suffix}", value, f"tolerance: {kind}")
+        unit = units.get(degree, f" [length^{degree}]")
+        name = f"{kind}_tolerance{degree or ''}"
+        return self.constant(name, value, f"{_REASONS[kind]}{unit}")
 
     @property
     def redundant(self) -> bool:
@@ -360,6 +361,15 @@ class Lowering:
         assert worst is not None
         inside = builder.apply("at_most", worst, builder.integer(1))
         builder.guard(inside, Failure.INCONSISTENT, chosen=self.free_flags())
+
+
+_REASONS = {
+    "free": "a vector this short fixes no angle",
+    "free_square": "the same, squared",
+    "reach": "rounding at the boundary of the workspace",
+    "merge": "two branches nearer than this are one",
+    "consistent": "a pose may be rounded by this",
+}
 
 
 def _title(step: Step) -> str:

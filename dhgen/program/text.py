@@ -17,7 +17,7 @@ def program_text(program: Program) -> str:
     lines = [f"program {program.name}: {program.rows} rows"]
     lines += [f"  {c.name} = {c.value!r}  ({c.meaning})" for c in program.constants]
     lines += [_statement(program, statement) for statement in program.body]
-    lines.append("  rows: " + ", ".join(program.joints))
+    lines.append("  rows: " + ", ".join(map(expression_text, program.outputs)))
     return "\n".join(lines) + "\n"
 
 

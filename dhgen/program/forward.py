@@ -1,0 +1,170 @@
+"""The forward programs: T_base_tool and the geometric Jacobian, joint by joint from base to tool."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.program.builder import Builder
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain, Element
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.transform import Transform
+    from dhgen.program.builder import Node
+    from dhgen.program.ir import Program
+
+Vector = list["Node"]
+
+
+def forward_program(chain: Chain) -> Program:
+    """The twelve entries of Z A_1 ... A_n E, row by row."""
+    walk = _Walk(chain, "f")
+    walk.along_arm()
+    results = {
+        f"T{row + 1}{column + 1}": walk.columns[column][row]
+        for row in range(3)
+        for column in range(4)
+    }
+    return walk.builder.finish(chain.name, results, [])
+
+
+def jacobian_program(chain: Chain) -> Program:
+    """The geometric Jacobian, 6 x n, row by row: velocity of the tool's origin, then angular velocity.
+
+    Column i is (z x (p - o), z) for a revolute joint with axis z through o, and (z, 0) for a
+    prismatic one (B. Siciliano et al., Robotics, 2009, equations 3.30 and 3.29).
+    """
+    walk = _Walk(chain, "g")
+    walk.along_arm()
+    builder = walk.builder
+    tip = walk.columns[3]
+    rows: list[list[Node]] = [[] for _ in range(6)]
+    for axis, origin in walk.axes:
+        if origin is None:
+            column = [*axis, *(builder.integer(0) for _ in range(3))]
+        else:
+            arm = [builder.sub(p, o) for p, o in zip(tip, origin, strict=True)]
+            column = [*_cross(builder, axis, arm), *axis]
+        for row, entry in zip(rows, column, strict=True):
+            row.append(entry)
+    results = {
+        f"J{row + 1}{column + 1}": entry
+        for row, entries in enumerate(rows)
+        for column, entry in enumerate(entries)
+    }
+    return builder.finish(chain.name, results, [])
+
+
+def _cross(builder: Builder, left: Vector, right: Vector) -> Vector:
+    return [
+        builder.sub(
+            builder.mul(left[(k + 1) % 3], right[(k + 2) % 3]),
+            builder.mul(left[(k + 2) % 3], right[(k + 1) % 3]),
+        )
+        for k in range(3)
+    ]
+
+
+class _Walk:
+    """The frame carried along the arm.
+
+    Attributes:
+        builder: Where values go.
+        columns: x, y, z and origin of the frame reached.
+        axes: For every joint met its axis, and a point on it (None for prismatic joints).
+    """
+
+    def __init__(self, chain: Chain, folded: str) -> None:
+        reserved = {constant.name for constant in chain.constants} | {"T", "J", "q"}
+        self.builder = Builder(reserved=reserved, folded=folded)
+        self._chain = chain
+        self._values = {constant.name: constant for constant in chain.constants}
+        one, zero = self.builder.integer(1), self.builder.integer(0)
+        self.columns: list[Vector] = [
+            [one if row == column else zero for row in range(3)] for column in range(4)
+        ]
+        self.axes: list[tuple[Vector, Vector | None]] = []
+
+    def along_arm(self) -> None:
+        """From the base frame to the tool."""
+        self._fixed(self._chain.base)
+        for link in self._chain.links:
+            for element in link:
+                self._element(element)
+        self._fixed(self._chain.tool)
+
+    def _element(self, element: Element) -> None:
+        match element:
+            case Fixed(transform):
+                self._fixed(transform)
+            case Turn(joint):
+                self.axes.append((self._facing(joint), list(self.columns[3])))
+                angle = self._inner(joint)
+                cosine = self.builder.name(self.builder.apply("cos", angle), f"c{joint}")
+                sine = self.builder.name(self.builder.apply("sin", angle), f"s{joint}")
+                self._turn(cosine, sine)
+            case Slide(joint):
+                self.axes.append((self._facing(joint), None))
+                self.columns[3] = self._moved(self.columns[2], self._inner(joint))
+
+    def _facing(self, joint: int) -> Vector:
+        """The axis along which the joint's value counts: -z where its sign is -1."""
+        axis = list(self.columns[2])
+        if self._chain.joints[joint - 1].sign > 0:
+            return axis
+        return [self.builder.neg(entry) for entry in axis]
+
+    def _inner(self, joint: int) -> Node:
+        builder = self.builder
+        known = self._chain.joints[joint - 1]
+        given = builder.joint(joint)
+        turned = given if known.sign > 0 else builder.neg(given)
+        if known.offset == 0.0:
+            return turned
+        offset = builder.constant(f"offset{joint}", known.offset, f"offset of joint {joint}")
+        return builder.add(turned, offset)
+
+    def _turn(self, cosine: Node, sine: Node) -> None:
+        builder = self.builder
+        x, y = self.columns[0], self.columns[1]
+        pairs = list(zip(x, y, strict=True))
+        self.columns[0] = [builder.add(builder.mul(cosine, a), builder.mul(sine, b)) for a, b in pairs]
+        self.columns[1] = [builder.sub(builder.mul(cosine, b), builder.mul(sine, a)) for a, b in pairs]
+
+    def _fixed(self, transform: Transform) -> None:
+        origin = self.columns[3]
+        for column, entry in zip(self.columns[:3], transform.translation, strict=True):
+            origin = self._plus(origin, column, self._number(entry))
+        turned = []
+        for j in range(3):
+            total: Vector = [self.builder.integer(0)] * 3
+            for i in range(3):
+                total = self._plus(total, self.columns[i], self._number(transform.entry(i, j)))
+            turned.append(total)
+        self.columns = [*turned, origin]
+
+    def _moved(self, axis: Vector, length: Node) -> Vector:
+        return self._plus(self.columns[3], axis, length)
+
+    def _plus(self, start: Vector, axis: Vector, length: Node) -> Vector:
+        builder = self.builder
+        return [
+            builder.add(a, builder.mul(length, b)) for a, b in zip(start, axis, strict=True)
+        ]
+
+    def _number(self, polynomial: Polynomial) -> Node:
+        builder = self.builder
+        names = [str(symbol) for symbol in polynomial.ring.symbols]
+        total = builder.integer(0)
+        for monomial, coefficient in polynomial.terms():
+            part = builder.div(
+                builder.integer(int(coefficient.numerator)),
+                builder.integer(int(coefficient.denominator)),
+            )
+            for name, exponent in zip(names, monomial, strict=True):
+                for _ in range(exponent):
+                    known = self._values[name]
+                    part = builder.mul(part, builder.constant(name, known.value, known.meaning))
+            total = builder.add(total, part)
+        return total
