@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -62,8 +63,15 @@ def _task(value: object) -> object:
     return value
 
 
+def _joint_number(value: object) -> object:
+    if not re.fullmatch(r"-?[0-9]{1,4}", str(value)):
+        raise ValueError("expected the number of a joint")
+    return value
+
+
 _CELL = {"type": ["number", "string"]}
 Cell = Annotated[str, WithJsonSchema(_CELL)]
+JointNumber = Annotated[int, BeforeValidator(_joint_number)]
 Text = Annotated[str, AfterValidator(_one_line)]
 Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
 Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
@@ -218,7 +226,7 @@ class RobotFile(_Strict):
         description="What of the pose the caller means: pose, position, orientation, pointing "
         "(position and the tool's z axis), or a list out of x, y, z.",
     )
-    free: list[int] = Field(
+    free: list[JointNumber] = Field(
         default=[], description="Joints, from 1, whose value the caller gives, in ascending order."
     )
     units: Units = Field(default=Units(), description="Units of lengths and angles.")

@@ -109,9 +109,6 @@ _EXPECTED = {
     "list_type": "a list",
     "model_type": "keys with values",
     "dict_type": "keys with values",
-    "int_parsing": "a joint number",
-    "int_parsing_size": "a joint number",
-    "int_type": "a joint number",
 }
 
 

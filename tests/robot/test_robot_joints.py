@@ -1,4 +1,4 @@
-"""Joints: the variable with sign and offset, exact angles, limits, axes, and the file around."""
+"""Joints: the variable with its sign and offset, exact angles, limits, and axes."""
 
 from __future__ import annotations
 
@@ -10,16 +10,10 @@ import pytest
 from dhgen.robot.expression import ZERO, Name, Negate, Number, to_text
 from dhgen.robot.robot import (
     AxisJoint,
-    Convention,
-    DhTable,
     JointKind,
     ReferenceAxes,
-    Task,
-    TaskKind,
 )
 from tests.robot.robot_texts import (
-    JOINTS,
-    MINIMAL,
     axes,
     marked,
     mistake,
@@ -216,93 +210,6 @@ def test_axes() -> None:
 )
 def test_refused_axes(entry: str, message: str) -> None:
     assert mistake(axes(entry, parameters="{l: 1}")).startswith(message)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("name: r\n", "no joints: write them as 'joints' (a table) or as 'axes'"),
-        (f"{MINIMAL}axes:\n  - {{{SLIDE}}}\n", "a robot has joints or axes, not both"),
-        ("name: r\njoints: []\n", "a robot has 1 to 64 joints, not 0"),
-        ("name: r\naxes: []\n", "a robot has 1 to 64 joints, not 0"),
-        (table(*["theta: q"] * 65), "a robot has 1 to 64 joints, not 65"),
-        ("name: r\njoints: 3\n", "expected a list, not '3'"),
-        ("name: r\njoints:\n", "expected a list, not nothing"),
-        ("name: r\njoints: [3]\n", "expected keys with values, not '3'"),
-        (JOINTS, "the key 'name' is missing"),
-        (f"{MINIMAL}home: {{}}\n", "'home' goes with 'axes'; with 'joints' use 'tool'"),
-        (axes(SLIDE, convention="standard"), "'convention' goes with 'joints'"),
-        (f"{MINIMAL}convention: Modified\n", "expected 'standard' or 'modified', not 'Modified'"),
-        (f"{MINIMAL}jionts: []\n", "unknown key 'jionts'; did you mean 'joints'? valid: name, tit"),
-        (f"{MINIMAL}task: poses\n", "'poses': expected one of pose, position, orientation, pointi"),
-        (f"{MINIMAL}task: [x, x]\n", "a list of coordinates holds some of x, y, z, each"),
-        (f"{MINIMAL}task: [w]\n", "a list of coordinates holds some of x, y, z, each"),
-        (f"{MINIMAL}task: []\n", "a list of coordinates holds some of x, y, z, each"),
-        (f"{MINIMAL}task: {{a: 1}}\n", "expected one of pose"),
-        (f"{MINIMAL}free: [2]\n", "there is no joint 2: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [-1]\n", "there is no joint -1: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [1, 1]\n", "free joints stand in ascending order, each once"),
-        (f"{MINIMAL}free: [a]\n", "expected a joint number, not 'a'"),
-        (f"{MINIMAL}free: [1.5]\n", "expected a joint number, not '1.5'"),
-        (f"{MINIMAL}free: 1\n", "expected a list, not '1'"),
-        (f"{MINIMAL}units: {{length: parsec}}\n", "expected 'm', 'dm', 'cm', 'mm', 'um', 'in' or"),
-        (
-            f"{MINIMAL}units: {{agnle: deg}}\n",
-            "unknown key 'agnle'; did you mean 'angle'? valid: l",
-        ),
-    ],
-)
-def test_refused_files(text: str, message: str) -> None:
-    assert mistake(text).startswith(message)
-
-
-def test_the_file_around_the_joints() -> None:
-    text = table(*["theta: q"] * 3, convention="modified", free="[1, 3]", units="{length: mm}")
-    loaded = robot(text)
-    assert isinstance(loaded.geometry, DhTable)
-    assert loaded.geometry.convention is Convention.MODIFIED
-    assert (loaded.free, loaded.length_unit) == ((1, 3), "mm")
-    assert robot(MINIMAL).geometry == DhTable(Convention.STANDARD, (row("theta: q"),))
-
-
-@pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])
-def test_tasks(kind: str) -> None:
-    assert robot(f"{MINIMAL}task: {kind}\n").task == Task(TaskKind(kind))
-
-
-def test_a_task_of_coordinates_is_in_their_order() -> None:
-    assert robot(f"{MINIMAL}task: [z, x]\n").task == Task(TaskKind.COORDINATES, ("x", "z"))
-    assert robot(MINIMAL).task == Task(TaskKind.POSE)
-
-
-def test_parameters_may_use_those_before_them() -> None:
-    first, second = robot(f"{MINIMAL}parameters: {{l: 0.1, m: 2*l - 1}}\n").parameters
-    assert (first.name, first.expression, first.value) == ("l", Number(Fraction(1, 10)), 0.1)
-    assert (second.name, to_text(second.expression), second.value) == ("m", "2*l - 1", -0.8)
-
-
-@pytest.mark.parametrize(
-    ("parameters", "message"),
-    [
-        ("{l: m, m: 1}", "the parameter 'm' is defined further down: move it up"),
-        ("{l: l}", "the parameter 'l' is defined further down: move it up"),
-        ("{l: q}", "the variable q stands in theta or in d of a joint only"),
-        ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
-        ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
-        ("{l: }", "expected a number or an expression, not nothing"),
-        ("{l: [1]}", "expected a number or an expression, not a list"),
-        ("[l]", "expected keys with values, not a list"),
-        ("{l: 1/0, m: 1/l}", "division by zero"),
-    ],
-)
-def test_refused_parameters(parameters: str, message: str) -> None:
-    assert mistake(f"{MINIMAL}parameters: {parameters}\n").startswith(message)
-
-
-def test_a_mistaken_parameter_entails_no_further_mistakes() -> None:
-    text = table("theta: q, a: 1/l, limits: [l, 0]", parameters="{l: 1/0}", tool="{xyz: [l, 0, 0]}")
-    assert mistake(text) == "division by zero"
 
 
 def test_negative_numbers_are_negated_ones() -> None:
