@@ -34,6 +34,12 @@ if TYPE_CHECKING:
 
 Node = int
 
+# Names of the emitted code's own variables and functions, in any target.
+RESERVED = frozenset(
+    "T P R q_seed seed free_joints status row lost shortfall count joint math np njit nan pi fk ik "
+    "ik_all ik_into ik_batch ik_nearest jacobian solve wrap copy size best i j k n".split()
+)
+
 TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})
 _COMMUTES = frozenset({"add", "mul", "and", "or", "maximum"})
 
@@ -89,7 +95,8 @@ class Builder:
         return self._add(_Entry(Integer(value), None, (), (), Fraction(value)))
 
     def constant(self, name: str, value: float, meaning: str) -> Node:
-        """A number with a name."""
+        """A number with a name; one that the targets use themselves gets a longer one."""
+        name = name + "_" if name in RESERVED else name
         self._constants.setdefault(name, NamedConstant(name, value, meaning))
         self.reserved.add(name)
         return self._add(_Entry(Variable(name), None, (), (), Fraction(value)))
@@ -215,9 +222,9 @@ class Builder:
             self._names[node] = self._unique(wanted)
         return node
 
-    def heading(self, text: str, axes: Iterable[int] = ()) -> None:
+    def heading(self, text: str) -> None:
         """A step begins."""
-        self._marks.append(_Mark(len(self._entries), heading=text, axes=tuple(axes)))
+        self._marks.append(_Mark(len(self._entries), heading=text))
 
     def guard(
         self,
@@ -312,7 +319,7 @@ class Builder:
 
     def _unique(self, wanted: str) -> str:
         name = wanted
-        while name in self._used or name in self.reserved:
+        while name in self._used or name in self.reserved or name in RESERVED:
             name += "_"
         self._used.add(name)
         return name
@@ -370,7 +377,7 @@ class Builder:
 
     def _statement(self, mark: _Mark) -> Statement:
         if mark.heading is not None:
-            return Heading(mark.heading, mark.axes)
+            return Heading(mark.heading)
         margin = None if mark.margin is None else self._expression(mark.margin)
         chosen = tuple(self._names[node] for node in mark.chosen)
         condition = self._expression(mark.condition)

@@ -49,7 +49,7 @@ def interpret(
         program: What to run.
         poses: Shape (N, 4, 4).
         seed: Values for joints that are indeterminate, shape (N, n) or (n,); zeros without it.
-        free: Values of the joints that the caller gives, shape (N, n) or (n,), by joint number.
+        free: Values of the joints that the caller gives, shape (N, k) or (k,).
     """
     return _Run(program, poses, seed, free).rows()
 
@@ -65,9 +65,10 @@ class _Run:
         self._program = program
         self._poses = poses
         count, dof = len(poses), len(program.outputs)
+        given = 0 if free is None else np.shape(free)[-1]
         self._given = {
             "seed": np.broadcast_to(np.zeros(dof) if seed is None else seed, (count, dof)),
-            "free": np.broadcast_to(np.zeros(dof) if free is None else free, (count, dof)),
+            "free": np.broadcast_to(np.zeros(0) if free is None else free, (count, given)),
         }
         self._shape = (count, *(2 for _ in program.axes))
         self._values: dict[str, Array] = {c.name: np.float64(c.value) for c in program.constants}

@@ -64,7 +64,8 @@ class Pose:
 class Joint:
     """A value that the caller gives for a joint, from 1.
 
-    The seed's, that of a free joint, or (in forward programs) the joint's own.
+    The seed's or (in forward programs) the joint's own, by the joint's number; of the free joints the
+    number-th.
     """
 
     number: int
@@ -132,7 +133,6 @@ class Heading:
     """The step that the following statements belong to."""
 
     text: str
-    axes: tuple[int, ...]
 
 
 Statement = Let | Guard | Heading

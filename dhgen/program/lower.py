@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
+from dhgen.paul.branches import branch_words
 from dhgen.paul.knowledge import build_runs
 from dhgen.paul.problem import task_entries
 from dhgen.program.builder import Builder
@@ -52,6 +53,7 @@ class Lowering:
         self._angles: dict[AngleSum, Node] = {}
         self._free: dict[int, list[Node]] = {}
         self._runs = build_runs(self._algebra)
+        self._words = branch_words(derivation.steps)
         self.step_number = 0
 
     def run(self) -> Program:
@@ -69,6 +71,11 @@ class Lowering:
         joints = {f"q{number}": self._joint(number) for number in range(1, chain.dof + 1)}
         free = [(joint, self._any(flags)) for joint, flags in sorted(self._free.items())]
         return self.builder.finish(chain.name, joints, free)
+
+    def new_sign(self) -> Node:
+        """The sign of the step at hand."""
+        words = self._words[len(self.builder.axes)]
+        return self.builder.sign(words, self.step_number)
 
     # values of generators
 
@@ -259,7 +266,7 @@ class Lowering:
         return self.constant(f"offset{joint}", known.offset, f"offset of joint {joint}")
 
     def _take_given(self, joint: int) -> None:
-        value = self._inner(joint, self.builder.given(joint))
+        value = self._inner(joint, self.builder.given(self._place_of_free(joint)))
         if joint in self._algebra.slides:
             self.solved_slide(self._algebra.slides[joint], value)
             return
@@ -267,6 +274,10 @@ class Lowering:
         cosine, sine = self.builder.apply("cos", value), self.builder.apply("sin", value)
         self.solved_angle(angle, cosine, sine, keep=False)
         self._angles[angle] = value
+
+    def _place_of_free(self, joint: int) -> int:
+        """Where the caller gives the value of a free joint, from 1."""
+        return self._algebra.chain.free.index(joint) + 1
 
     def _known_joint(self, joint: int) -> bool:
         if joint in self._algebra.slides:
@@ -326,7 +337,7 @@ class Lowering:
         builder = self.builder
         known = self._algebra.chain.joints[number - 1]
         if number in self._algebra.chain.free:
-            return builder.given(number)
+            return builder.given(self._place_of_free(number))
         if known.kind is JointKind.PRISMATIC:
             inner = self._values[self._algebra.slides[number]]
         else:

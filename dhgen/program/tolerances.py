@@ -25,6 +25,7 @@ class Tolerances:
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
             precision, or rounded to six digits. Beyond it the pose is invalid.
+        last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
@@ -35,6 +36,7 @@ class Tolerances:
     merge: float = 1e-14
     orthonormal: float = 1e-24
     rotation: float = 1e-9
+    last_row: float = 1e-9
     consistent: float = 1e-5
     limit: float = 1e-9
 

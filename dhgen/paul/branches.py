@@ -1,0 +1,60 @@
+"""What the two values of a step are called: the words of BRANCHES and of the solution tree.
+
+The words name the sign, by the part of the arm that the step places: shoulder (left, right), elbow (down,
+up), wrist (noflip, flip), a slide (forward, backward). Which of the two looks like its name depends
+on how the arm is mounted; what a row means never changes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.step import Kind
+
+if TYPE_CHECKING:
+    from dhgen.paul.step import Step
+
+_ELBOWS = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
+_SLIDES = {Kind.POLAR, Kind.ANGLE_AND_LENGTH}
+_WORDS = {
+    "shoulder": ("left", "right"),
+    "elbow": ("down", "up"),
+    "wrist": ("noflip", "flip"),
+    "slide": ("forward", "backward"),
+}
+
+
+def branch_words(steps: tuple[Step, ...]) -> tuple[tuple[str, str], ...]:
+    """The words for + and - of every step with two values, in the order of the steps."""
+    doubling = [step for step in steps if step.roots == 2]
+    parts = [_part(step) for step in doubling]
+    words = []
+    for step, part in zip(doubling, parts, strict=True):
+        plus, minus = _WORDS[part]
+        if parts.count(part) > 1:
+            joint = _first_joint(step)
+            plus, minus = f"{plus}{joint}", f"{minus}{joint}"
+        words.append((plus, minus))
+    return tuple(words)
+
+
+def branch_labels(words: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
+    """The name of every row, e.g. left-down-noflip; the first sign changes slowest."""
+    labels: list[tuple[str, ...]] = [()]
+    for pair in words:
+        labels = [(*label, word) for label in labels for word in pair]
+    return tuple("-".join(label) or "only" for label in labels)
+
+
+def _part(step: Step) -> str:
+    if step.kind in _SLIDES:
+        return "slide"
+    if step.kind in _ELBOWS:
+        return "elbow"
+    return "shoulder" if _first_joint(step) == 1 else "wrist"
+
+
+def _first_joint(step: Step) -> int:
+    unknown = step.unknowns[0]
+    return unknown.terms[0][0] if isinstance(unknown, AngleSum) else unknown.joint
