@@ -1,0 +1,251 @@
+"""A trigonometric polynomial of degree 8 from samples, and its real roots.
+
+f(φ) = Σ a_m cos mφ + b_m sin mφ, m = 0 ... 8. The roots are isolated in cells of the circle by
+bounds, not by sign changes alone: a pair of roots inside a cell would be missed otherwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from math import atan2, cos, pi, sin, sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+
+DEGREE = 8
+SAMPLES = 24  # 17 determine f; the harmonics beyond the eighth measure the rounding
+CELLS = 256
+WIDTH = 2 * pi / CELLS
+DEEPEST = 14  # how often a cell is halved before its roots count as one of higher multiplicity
+NEWTON_STEPS = 12
+
+# The quintic through f, f', f'' at both ends of a cell misses f by at most
+# WIDTH^6 8^6 / 46080 = 1.3e-9 of its largest value.
+QUINTIC = 2e-9
+# Rounding of f in its largest value, at least this; more when the harmonics beyond 8 say so.
+ROUNDING = 3e-15
+NOISE_FACTOR = 8.0
+
+
+@dataclass(frozen=True, slots=True)
+class Trigonometric:
+    """f(φ) = Σ a_m cos mφ + b_m sin mφ.
+
+    Attributes:
+        cosine: a_0 ... a_8, (9,).
+        sine: b_0 = 0, b_1 ... b_8, (9,).
+        scale: The largest sample.
+        noise: The harmonics 9 to 11, over `scale`.
+    """
+
+    cosine: FloatArray
+    sine: FloatArray
+    scale: float
+    noise: float
+
+    def at(self, cosine: float, sine: float) -> tuple[float, float, float]:
+        """f, f' and f'' at the angle with this cosine and sine."""
+        value = first = second = 0.0
+        c, s = 1.0, 0.0
+        for m, (a, b) in enumerate(zip(self.cosine.tolist(), self.sine.tolist(), strict=True)):
+            even, odd = a * c + b * s, b * c - a * s
+            value += even
+            first += m * odd
+            second -= m * m * even
+            c, s = c * cosine - s * sine, s * cosine + c * sine
+        return value, first, second
+
+    @property
+    def rounding(self) -> float:
+        """How far f may be from what it stands for."""
+        return self.scale * (ROUNDING + NOISE_FACTOR * self.noise)
+
+
+@dataclass(frozen=True, slots=True)
+class Roots:
+    """The real roots of f in [0, 2π).
+
+    Attributes:
+        simple: Where f changes its sign.
+        double: Where f touches zero within its rounding: two roots, or none, or one.
+        complete: Whether no cell was left undecided.
+    """
+
+    simple: tuple[float, ...]
+    double: tuple[float, ...]
+    complete: bool
+
+
+@cache
+def sample_cosines() -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Cosines and sines of the 24 sample angles 2πk/24, from square roots alone."""
+    quarter = (
+        (1.0, 0.0),
+        ((sqrt(6.0) + sqrt(2.0)) / 4, (sqrt(6.0) - sqrt(2.0)) / 4),
+        (sqrt(3.0) / 2, 0.5),
+        (sqrt(0.5), sqrt(0.5)),
+        (0.5, sqrt(3.0) / 2),
+        ((sqrt(6.0) - sqrt(2.0)) / 4, (sqrt(6.0) + sqrt(2.0)) / 4),
+    )
+    around = []
+    for quadrant in range(4):
+        for c, s in quarter:
+            around.append(((c, s), (-s, c), (-c, -s), (s, -c))[quadrant])
+    cosines, sines = zip(*around, strict=True)
+    return cosines, sines
+
+
+def trigonometric(samples: FloatArray) -> Trigonometric:
+    """The polynomial from its values (24,) at the sample angles."""
+    cosines, sines = sample_cosines()
+    values = samples.tolist()
+    scale = max(map(abs, values)) or 1.0
+    a, b = [], []
+    for m in range(DEGREE + 4):
+        weight = 1.0 / SAMPLES if m == 0 else 2.0 / SAMPLES
+        total_c = total_s = 0.0
+        for k, value in enumerate(values):
+            total_c += value * cosines[m * k % SAMPLES]
+            total_s += value * sines[m * k % SAMPLES]
+        a.append(weight * total_c)
+        b.append(weight * total_s)
+    noise = max(abs(x) for x in a[DEGREE + 1 :] + b[DEGREE + 1 :]) / scale
+    return Trigonometric(np.array(a[: DEGREE + 1]), np.array(b[: DEGREE + 1]), scale, noise)
+
+
+def roots(f: Trigonometric) -> Roots:
+    """All real roots."""
+    simple: list[float] = []
+    double: list[float] = []
+    complete = True
+    edges = [i * WIDTH for i in range(CELLS + 1)]
+    values = [f.at(cos(x), sin(x)) for x in edges[:-1]]
+    values.append(values[0])
+    cells = [(edges[i], values[i], edges[i + 1], values[i + 1], 0) for i in range(CELLS)]
+    cells.reverse()
+    while cells:
+        low, at_low, high, at_high, depth = cells.pop()
+        if _rootless(f, at_low, at_high, high - low):
+            continue
+        if _bends_one_way(f, at_low, at_high, high - low) or _rises_one_way(
+            f, at_low, at_high, high - low
+        ):
+            _in_simple_cell(f, low, at_low, high, at_high, simple, double)
+        elif depth == DEEPEST:
+            complete = False
+            double.append((low + high) / 2)
+        else:
+            middle = (low + high) / 2
+            at_middle = f.at(cos(middle), sin(middle))
+            cells.append((middle, at_middle, high, at_high, depth + 1))
+            cells.append((low, at_low, middle, at_middle, depth + 1))
+    return Roots(tuple(simple), tuple(_merged(double)), complete)
+
+
+Values = tuple[float, float, float]
+
+
+def _rootless(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
+    """Whether the Bernstein coefficients of the quintic are all of one sign, beyond doubt."""
+    f0, d0, s0 = low
+    f1, d1, s1 = high
+    coefficients = (
+        f0,
+        f0 + h * d0 / 5,
+        f0 + 2 * h * d0 / 5 + h * h * s0 / 20,
+        f1 - 2 * h * d1 / 5 + h * h * s1 / 20,
+        f1 - h * d1 / 5,
+        f1,
+    )
+    doubt = f.rounding + f.scale * QUINTIC * (h / WIDTH) ** 6
+    return min(coefficients) > doubt or max(coefficients) < -doubt
+
+
+def _bends_one_way(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
+    """Whether f'' keeps its sign: |f'''| is at most 8³ times the largest value."""
+    least = min(abs(low[2]), abs(high[2]))
+    return low[2] * high[2] > 0 and least > f.scale * 8**4 * h * h / 8 + 64 * f.rounding
+
+
+def _rises_one_way(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
+    """Whether f' keeps its sign: it stays near the line between its ends."""
+    least = min(abs(low[1]), abs(high[1]))
+    return low[1] * high[1] > 0 and least > f.scale * 8**3 * h * h / 8 + 8 * f.rounding
+
+
+def _in_simple_cell(
+    f: Trigonometric,
+    low: float,
+    at_low: Values,
+    high: float,
+    at_high: Values,
+    simple: list[float],
+    double: list[float],
+) -> None:
+    """The roots of a cell where f has one extremum at most."""
+    if at_low[1] * at_high[1] >= 0:
+        if (at_low[0] < 0) != (at_high[0] < 0):
+            simple.append(_refine(f, low, high, at_low[0] < 0))
+        return
+    x = _extremum(f, low, high)
+    value = f.at(cos(x), sin(x))[0]
+    if abs(value) <= f.rounding:
+        double.append(x)
+        return
+    if (at_low[0] < 0) != (value < 0):
+        simple.append(_refine(f, low, x, at_low[0] < 0))
+    if (at_high[0] < 0) != (value < 0):
+        simple.append(_refine(f, x, high, value < 0))
+
+
+def _refine(f: Trigonometric, low: float, high: float, rising: bool) -> float:  # noqa: FBT001
+    """The root between two angles of unlike sign, by Newton with bisection where it leaves."""
+    x = (low + high) / 2
+    for _ in range(4 * NEWTON_STEPS):
+        value, slope, _ = f.at(cos(x), sin(x))
+        if (value < 0) == rising:
+            low = x
+        else:
+            high = x
+        step = -value / slope if slope else high - low
+        if abs(step) < 1e-15:
+            break
+        x = x + step if low < x + step < high else (low + high) / 2
+    return x
+
+
+def _extremum(f: Trigonometric, low: float, high: float) -> float:
+    """Where f' vanishes between two angles at which it has unlike signs."""
+    rising = f.at(cos(low), sin(low))[1] < 0
+    x = (low + high) / 2
+    for _ in range(4 * NEWTON_STEPS):
+        _, slope, bend = f.at(cos(x), sin(x))
+        if (slope < 0) == rising:
+            low = x
+        else:
+            high = x
+        step = -slope / bend if bend else high - low
+        if abs(step) < 1e-12:
+            break
+        x = x + step if low < x + step < high else (low + high) / 2
+    return x
+
+
+def _merged(angles: list[float]) -> list[float]:
+    """Neighbouring cells that were given up together are one root."""
+    kept: list[float] = []
+    for x in sorted(angles):
+        if not kept or x - kept[-1] > WIDTH / 64:
+            kept.append(x)
+    return kept
+
+
+def angle_of(cosine: float, sine: float) -> float:
+    """The angle of a sine and a cosine with any common factor."""
+    return atan2(sine, cosine)

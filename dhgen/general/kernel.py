@@ -1,0 +1,50 @@
+"""What the set-up hands to the reference solver and to the writers of code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.general.formulation import Formulation
+    from dhgen.general.loop import Loop
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """How well a formulation does on the witnesses.
+
+    Attributes:
+        noise: Median of the harmonics 9 to 11 of the determinant over its largest value; they
+            would be zero without rounding.
+        typical: Median displacement of the true root by rounding [rad]. Near 1e-8 or above when
+            every root is double.
+        worst: Its 99 % quantile [rad].
+    """
+
+    noise: float
+    typical: float
+    worst: float
+
+
+@dataclass(frozen=True, slots=True)
+class GeneralKernel:
+    """Everything about an arm that does not depend on the pose.
+
+    Attributes:
+        loop: The arm as a loop of six turns, in arm sizes.
+        first: The formulation that is tried first.
+        second: One with another hidden joint, for poses where the first one fails; None when
+            the arm's structure leaves only one.
+        scores: Of `first` and `second`.
+    """
+
+    loop: Loop
+    first: Formulation
+    second: Formulation | None
+    scores: tuple[Score, ...]
+
+    @property
+    def formulations(self) -> tuple[Formulation, ...]:
+        """The one or two formulations in the order in which they are tried."""
+        return (self.first,) if self.second is None else (self.first, self.second)
