@@ -1,4 +1,4 @@
-"""The ring in which an arm's equations live: pose entries, cosines and sines, lengths, constants."""
+"""The ring of an arm's equations: pose entries, cosines and sines, lengths, constants."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from sympy.polys.rings import PolyRing
 
 from dhgen.kinematics.chain import Chain, Fixed, Slide, parallel_groups
 from dhgen.kinematics.normal import NormalForm, normal_form
-from dhgen.kinematics.transform import Transform
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.transform import Transform
 
 POSE_NAMES = tuple(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3, 4))
 POINT_NAMES = tuple(f"w{k}{axis}" for k in ("", "2", "3", "4", "5", "6") for axis in "xyz")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, order=True)
 class AngleSum:
     """The sum of the angles of consecutive parallel axes, e.g. theta2 + theta3 - theta4.
 

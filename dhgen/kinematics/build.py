@@ -1,30 +1,24 @@
-"""From a Robot to its Chain: DH rows of either convention, base and tool; axes by `axes.py`."""
+"""From a Robot to its Chain: DH rows of either convention, base and tool, or reference axes."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.axes import exact_axes, rows_of_axes
+from dhgen.kinematics.axes import exact_axes
 from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn
+from dhgen.kinematics.common_normals import table_of_axes
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
-from dhgen.kinematics.transform import (
-    compose,
-    identity,
-    rotation_x,
-    rotation_z,
-    translation,
-)
+from dhgen.kinematics.transform import compose, identity, rotation_x, rotation_z, translation
 from dhgen.robot.expression import ZERO, evaluate
-from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind, Robot
+from dhgen.robot.robot import Convention, DhTable, JointKind
 
 if TYPE_CHECKING:
-    from sympy.polys.rings import PolyRing
-
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
+    from dhgen.robot.robot import DhRow, Frame, Robot
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,38 +33,40 @@ class _RowCells:
 
 def build_chain(robot: Robot) -> Chain:
     """The exact chain of a robot, whichever way it was written."""
-    if not isinstance(robot.geometry, DhTable):
-        exact = exact_axes(robot)
-        if exact is not None:
-            return exact
-        robot = rows_of_axes(robot)
-    assert isinstance(robot.geometry, DhTable)
+    if isinstance(robot.geometry, DhTable):
+        return _chain_of_rows(robot, robot.geometry)
+    exact = exact_axes(robot, robot.geometry)
+    return exact or _chain_of_rows(*table_of_axes(robot, robot.geometry))
+
+
+def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
     table = ConstantTable({parameter.name: parameter.value for parameter in robot.parameters})
-    _read(robot, robot.geometry, table)
+    _read(robot, geometry, table)
     ring = table.close()
-    cells, base, tool = _read(robot, robot.geometry, table)
+    cells, base, tool = _read(robot, geometry, table)
     constants = tuple(table.constants.values())
     normal = normal_form(ring, constants, {})
-    links = tuple(
-        _link(ring, number, row, row_cells, robot.geometry.convention, normal)
-        for number, (row, row_cells) in enumerate(
-            zip(robot.geometry.rows, cells, strict=True), start=1
-        )
-    )
+    moves = [
+        Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
+        for number, row in enumerate(geometry.rows, start=1)
+    ]
     return Chain(
         name=robot.name,
         joints=tuple(
             _joint(number, row, table.parameters)
-            for number, row in enumerate(robot.geometry.rows, start=1)
+            for number, row in enumerate(geometry.rows, start=1)
         ),
-        links=links,
+        links=tuple(
+            _link(move, row_cells, geometry.convention, normal)
+            for move, row_cells in zip(moves, cells, strict=True)
+        ),
         base=base,
         tool=tool,
         constants=constants,
         ring=ring,
         task=robot.task,
         free=robot.free,
-        size=_size(robot.geometry, robot.tool, table.parameters),
+        size=_size(geometry, robot.tool, table.parameters),
     )
 
 
@@ -96,13 +92,9 @@ def _row_cells(number: int, row: DhRow, table: ConstantTable) -> _RowCells:
 
 
 def _link(
-    ring: PolyRing,
-    number: int,
-    row: DhRow,
-    cells: _RowCells,
-    convention: Convention,
-    normal: NormalForm,
+    move: Turn | Slide, cells: _RowCells, convention: Convention, normal: NormalForm
 ) -> tuple[Element, ...]:
+    ring = cells.a.ring
     along_x = compose(
         translation(ring, (cells.a, ring.zero, ring.zero)),
         rotation_x(ring, *cells.alpha),
@@ -113,16 +105,15 @@ def _link(
         translation(ring, (ring.zero, ring.zero, cells.d)),
         normal,
     )
-    joint = Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
     parts: tuple[Element, ...]
     if convention is Convention.MODIFIED:
-        parts = (Fixed(compose(along_x, along_z, normal)), joint)
-    elif row.kind is JointKind.REVOLUTE:
-        parts = (joint, Fixed(compose(along_z, along_x, normal)))
+        parts = (Fixed(compose(along_x, along_z, normal)), move)
+    elif isinstance(move, Turn):
+        parts = (move, Fixed(compose(along_z, along_x, normal)))
     else:
-        parts = (Fixed(along_z), joint, Fixed(along_x))
-    still = identity(ring)
-    return tuple(part for part in parts if not (isinstance(part, Fixed) and part.transform == still))
+        parts = (Fixed(along_z), move, Fixed(along_x))
+    nothing = Fixed(identity(ring))
+    return tuple(part for part in parts if part != nothing)
 
 
 def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:

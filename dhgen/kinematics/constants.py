@@ -8,9 +8,10 @@ sine. Multiples of 90 degrees become 0 and 1, multiples of 15 degrees use the sq
 from __future__ import annotations
 
 import math
+import operator as arithmetic
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
@@ -22,8 +23,9 @@ if TYPE_CHECKING:
 
     from dhgen.robot.expression import Expression
 
-Polynomial = PolyElement  # over the rationals, in a ring of named generators
+Polynomial: TypeAlias = PolyElement  # over the rationals, in a ring of named generators
 
+_ARITHMETIC = {"+": arithmetic.add, "-": arithmetic.sub, "*": arithmetic.mul}
 TURN_TOLERANCE = 1e-12  # [rad] two twists nearer than this share one cosine and sine
 
 
@@ -225,31 +227,29 @@ class ConstantTable:
     ) -> Polynomial:
         match expression:
             case Number(value):
-                return self._number(value)
+                result = self._number(value)
             case Name(parameter):
-                value = self.parameters[parameter]
-                return self._add(Constant(parameter, value, meaning, is_length=is_length))
+                known = self.parameters[parameter]
+                result = self._add(Constant(parameter, known, meaning, is_length=is_length))
             case Negate(operand):
-                return -self._polynomial(operand, name, meaning, is_length=is_length)
+                result = -self._polynomial(operand, name, meaning, is_length=is_length)
             case Binary("+" | "-" | "*" as operator, left, right):
                 first = self._polynomial(left, name, meaning, is_length=is_length)
                 second = self._polynomial(right, name, meaning, is_length=is_length)
-                if operator == "*":
-                    return first * second
-                return first + second if operator == "+" else first - second
+                result = _ARITHMETIC[operator](first, second)
             case Binary("/", left, Number(value)) if value != 0:
                 first = self._polynomial(left, name, meaning, is_length=is_length)
-                return first * self._number(1 / value)
+                result = first * self._number(1 / value)
             case Binary("**", left, Number(value)) if value.denominator == 1 and value >= 0:
-                first = self._polynomial(left, name, meaning, is_length=is_length)
-                return first ** int(value)
+                result = self._polynomial(left, name, meaning, is_length=is_length) ** int(value)
             case Call("sqrt", Number(value)) if value in {2, 3}:
-                return self._add(SQRT2 if value == 2 else SQRT3)
+                result = self._add(SQRT2 if value == 2 else SQRT3)
             case Call("cos" | "sin" as function, argument):
                 cosine, sine = self.cosine_sine(argument, name, meaning)
-                return cosine if function == "cos" else sine
+                result = cosine if function == "cos" else sine
             case _:
-                return self._named(expression, name, meaning, is_length=is_length)
+                result = self._named(expression, name, meaning, is_length=is_length)
+        return result
 
 
 def _bare_number(expression: Expression) -> Fraction | None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.transform import Transform
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.constants import ConstantTable, Polynomial
+    from dhgen.kinematics.constants import ConstantTable
     from dhgen.robot.robot import Frame
 
 

@@ -1,8 +1,9 @@
 """Products of chain elements, in reduced form: angles of parallel axes appear as their sums.
 
-Along a run of parallel axes the product is Rz(sum) C with a translation w, where C is constant and
-keeps or reverses z; only where an axis turns away are matrices multiplied. The inverse of a stretch of
-chain is the product of the inverse elements in reverse, so it is reduced in the same way.
+Along a run of parallel axes the product is Rz(sum) C with a translation w, where C is constant
+and keeps or reverses z; only where an axis turns away are matrices multiplied. The inverse of a
+stretch of chain is the product of the inverse elements in reverse, so it is reduced in the same
+way.
 """
 
 from __future__ import annotations

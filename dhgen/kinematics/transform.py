@@ -82,7 +82,7 @@ def dot(
 
 
 def compose(first: Transform, second: Transform, normal: Callable[..., Polynomial]) -> Transform:
-    """first times second, every entry in normal form."""
+    """The product of two transforms, every entry in normal form."""
     columns = tuple(zip(*second.rotation, strict=True))
     rows = tuple(tuple(dot(row, column, normal) for column in columns) for row in first.rotation)
     moved = tuple(

@@ -1,7 +1,7 @@
 """Equations as they look at one point of a derivation: linear in one or two unknowns.
 
-What is known (pose, lengths, solved joints) goes into the coefficients; the unknowns of a run of parallel
-axes are written by their representatives, so that c23 with theta2 known counts as theta3.
+What is known (pose, lengths, solved joints) goes into the coefficients; the unknowns of a run of
+parallel axes are written by their representatives, so that c23 with theta2 known counts as theta3.
 """
 
 from __future__ import annotations
@@ -46,6 +46,38 @@ class Form:
     equation: Equation
     unknowns: tuple[Unknown, ...]
     terms: Mapping[Monomial, Polynomial]
+
+    @property
+    def only_angle(self) -> AngleSum | None:
+        """The unknown, when it is one angle sum."""
+        match self.unknowns:
+            case (AngleSum() as angle,):
+                return angle
+        return None
+
+    @property
+    def only_length(self) -> Length | None:
+        """The unknown, when it is one length."""
+        match self.unknowns:
+            case (Length() as length,):
+                return length
+        return None
+
+    @property
+    def angle_and_length(self) -> tuple[AngleSum, Length] | None:
+        """The unknowns, when they are an angle sum and a length."""
+        match self.unknowns:
+            case (AngleSum() as angle, Length() as length):
+                return angle, length
+        return None
+
+    @property
+    def two_angles(self) -> tuple[AngleSum, AngleSum] | None:
+        """The unknowns, when they are two angle sums."""
+        match self.unknowns:
+            case (AngleSum() as first, AngleSum() as second):
+                return first, second
+        return None
 
     def coefficient(self, *names: str) -> Polynomial:
         """The coefficient of a monomial, zero if it does not occur."""
@@ -112,8 +144,7 @@ class FormReader:
         angles = {names[self._angle_of[p]] for p in used if p in self._angle_of} - {None}
         slides = {self._slide_of[p] for p in used if p in self._slide_of}
         open_slides = {slide for slide in slides if slide.joint not in knowledge.slides}
-        ordered: list[Unknown] = sorted((a for a in angles if a), key=lambda a: a.terms)
-        return (*ordered, *sorted(open_slides))
+        return (*sorted(a for a in angles if a), *sorted(open_slides))
 
     def _form(
         self,
@@ -130,7 +161,7 @@ class FormReader:
         """
         difference = equation.difference
         in_use = {self._angle_of[p] for p in used if p in self._angle_of}
-        open_angles = sorted((a for a in in_use if names[a] is not None), key=lambda a: a.terms)
+        open_angles = sorted(a for a in in_use if names[a] is not None)
         crowded = {
             names[a] for a in open_angles if sum(names[b] == names[a] for b in open_angles) > 1
         }
@@ -139,18 +170,17 @@ class FormReader:
             if names[angle] in crowded:
                 difference = self._rewrite(difference, angle, knowledge)
         kept = {names[a] if names[a] in crowded else a for a in open_angles}
-        angles: list[Unknown] = sorted((a for a in kept if a is not None), key=lambda a: a.terms)
+        angles = sorted(a for a in kept if a is not None)
         places = {
-            p for p in self._unknown_places
+            p
+            for p in self._unknown_places
             if (p in self._angle_of and names[self._angle_of[p]] is not None)
             or (p in self._slide_of and self._slide_of[p].joint not in knowledge.slides)
         }
         terms = _collect(difference, sorted(places))
         return Form(equation, (*angles, *final), terms)
 
-    def _rewrite(
-        self, polynomial: Polynomial, angle: AngleSum, knowledge: Knowledge
-    ) -> Polynomial:
+    def _rewrite(self, polynomial: Polynomial, angle: AngleSum, knowledge: Knowledge) -> Polynomial:
         algebra = self._pool.problem.algebra
         if knowledge.representative(angle) == angle:
             return polynomial
@@ -179,9 +209,7 @@ def _collect(polynomial: Polynomial, places: list[int]) -> dict[Monomial, Polyno
     grouped: dict[Monomial, dict[tuple[int, ...], object]] = {}
     unknown = set(places)
     for monomial, coefficient in polynomial.terms():
-        key = tuple(
-            sorted(names[place] for place in places for _ in range(monomial[place]))
-        )
+        key = tuple(sorted(names[place] for place in places for _ in range(monomial[place])))
         rest = tuple(0 if place in unknown else e for place, e in enumerate(monomial))
         grouped.setdefault(key, {})[rest] = coefficient
     return {key: ring.from_dict(group) for key, group in grouped.items()}

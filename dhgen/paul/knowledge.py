@@ -1,8 +1,8 @@
 """What is known of the joints at one point of a derivation.
 
-Along a run of parallel axes the unknowns are differences between cut points: the angle sum from cut
-a to cut b is known when a and b are connected. Solving theta1 and theta1 + theta2 therefore gives theta2
-without an equation of its own, and c12 with theta1 known is the same unknown as c2.
+Along a run of parallel axes the unknowns are differences between cut points: the angle sum from
+cut a to cut b is known when a and b are connected. Solving theta1 and theta1 + theta2 therefore
+gives theta2 without an equation of its own, and c12 with theta1 known is the same unknown as c2.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The pool of equations: every mixed form of T, kept with the element it comes from.
 
-(A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k, entry by entry, and the squared distance
-of the origins. With k = n these are the rows of Paul's U_m; the other forms are needed where a wrist
-has no common centre (UR5).
+(A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k, entry by entry, and the squared
+distance of the origins. With k = n these are the rows of Paul's U_m; the other forms are needed
+where a wrist has no common centre (UR5).
 """
 
 from __future__ import annotations
@@ -161,7 +161,11 @@ def _uses_joints(problem: Problem, entry: Polynomial) -> bool:
 
 def _entries(m: int, k: int, dof: int, left: Transform, right: Transform) -> list[Equation]:
     return [
-        _equation(Origin(m, k, dof, row + 1, column + 1), left.entry(row, column), right.entry(row, column))
+        _equation(
+            Origin(m, k, dof, row + 1, column + 1),
+            left.entry(row, column),
+            right.entry(row, column),
+        )
         for column in (3, 2, 1, 0)
         for row in range(3)
     ]

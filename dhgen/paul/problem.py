@@ -1,8 +1,8 @@
 """The inverse problem of a chain: which entries of U_0 are known, and what U_0 is.
 
 For a pose, base and tool are taken to the left: U_0 = Z^-1 POS E^-1 (document 002). For partial
-tasks E (and for a list of coordinates Z too) stays in the chain, because moving it would mix entries
-that the caller gives with entries that are ignored.
+tasks E (and for a list of coordinates Z too) stays in the chain, because moving it would mix
+entries that the caller gives with entries that are ignored.
 """
 
 from __future__ import annotations
@@ -135,4 +135,3 @@ def _target(
     rows = tuple(tuple(full[f"t{i}{j}"] for j in (1, 2, 3)) for i in (1, 2, 3))
     origin = tuple(full[f"t{i}4"] for i in (1, 2, 3))
     return Transform(rows, origin), frozenset(independent)
-

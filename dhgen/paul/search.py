@@ -1,8 +1,8 @@
 """The search for an order of steps: cheapest first over states of knowledge, with backtracking.
 
 A state is what is known, not how it came to be known; the equations that a state offers depend on
-nothing else. The cost of an order counts the number of solutions it multiplies up to first, then how
-well conditioned and how short its steps are.
+nothing else. The cost of an order counts the number of solutions it multiplies up to first, then
+how well conditioned and how short its steps are.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ class Search:
     def routes(self) -> Iterator[Route]:
         """Every cheapest order to a complete state, cheapest first (one for each last state)."""
         tie = count()
-        queue: list[tuple[int, int, Knowledge, tuple[Step, ...]]] = [(0, next(tie), self._start, ())]
+        start: tuple[int, int, Knowledge, tuple[Step, ...]] = (0, next(tie), self._start, ())
+        queue = [start]
         closed: set[object] = set()
         while queue:
             cost, _, knowledge, steps = heapq.heappop(queue)

@@ -1,7 +1,7 @@
 """Witnesses: random configurations on which every equation of the pool is true.
 
-A rule may fire only if its coefficients do not vanish on them. Half keep the arm's own lengths, half
-take random ones, so that neither a coincidence of lengths nor of angles decides.
+A rule may fire only if its coefficients do not vanish on them. Half keep the arm's own lengths,
+half take random ones, so that neither a coincidence of lengths nor of angles decides.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
+from dhgen.kinematics.algebra import POSE_NAMES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 COUNT = 4
+RIGHT_ANGLES = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))  # cosine and sine
 VANISHING = 1e-9  # of the sum of the sizes of a polynomial's terms
 
 
@@ -43,7 +44,7 @@ class Witnesses:
 
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
-        return np.sum(_terms(polynomial, self.values), axis=0)
+        return np.asarray(np.sum(_terms(polynomial, self.values), axis=0))
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""
@@ -63,33 +64,33 @@ class Witnesses:
         factors of a determinant vanish if they do. False when pose entries occur.
         """
         used = {p for monomial in polynomial for p, exponent in enumerate(monomial) if exponent}
-        angles = [a for a in self.algebra.angles if used & self._places(a)]
+        angles = [a for a in self.algebra.angles if used.intersection(self._places(a))]
         inner = {p for a in angles for p in self._places(a)}
         first = len(self.algebra.ring.gens) - len(self.algebra.chain.ring.gens)
         if any(place < first and place not in inner for place in used):
             return False
-        for turns in product(((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)), repeat=len(angles)):
+        for turns in product(RIGHT_ANGLES, repeat=len(angles)):
             values = self.values[:, 1:2].copy()
             for angle, turn in zip(angles, turns, strict=True):
-                values[sorted(self._places(angle)), 0] = turn
+                values[self._places(angle), 0] = turn
             terms = _terms(polynomial, values)
             if np.sum(terms) <= VANISHING * np.sum(np.abs(terms)):
                 return False
         return True
 
-    def _places(self, angle: AngleSum) -> set[int]:
-        return {self.algebra.index[angle.cosine], self.algebra.index[angle.sine]}
+    def _places(self, angle: AngleSum) -> list[int]:
+        return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
 
 
 def _terms(polynomial: Polynomial, values: Values) -> Values:
     """Every term on every column of `values`, shape (terms, columns)."""
-    rows = np.zeros((max(1, len(polynomial)), values.shape[1]))
-    for row, (monomial, coefficient) in zip(rows, polynomial.terms(), strict=False):
-        row[:] = int(coefficient.numerator) / int(coefficient.denominator)
+    terms = np.empty((len(polynomial), values.shape[1]))
+    for number, (monomial, coefficient) in enumerate(polynomial.items()):
+        terms[number] = int(coefficient.numerator) / int(coefficient.denominator)
         for place, exponent in enumerate(monomial):
-            for _ in range(exponent):
-                row *= values[place]
-    return rows
+            if exponent:
+                terms[number] *= values[place] ** exponent
+    return terms
 
 
 def build_witnesses(pool: Pool) -> Witnesses:
@@ -147,5 +148,6 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
                 * witnesses.evaluate(point.in_tool[column])
                 for column in range(3)
             )
-            witnesses.values[index[name]] = place + witnesses.evaluate(problem.forward.entry(row, 3))
-    assert set(POINT_NAMES) <= set(index)
+            witnesses.values[index[name]] = place + witnesses.evaluate(
+                problem.forward.entry(row, 3)
+            )

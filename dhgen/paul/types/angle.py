@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
@@ -15,7 +14,7 @@ if TYPE_CHECKING:
 
 HOMOGENEOUS = 40  # Z = 0: always solvable, accurate everywhere
 GENERAL = 80
-SUM = 30  # where it degenerates, a joint that takes the seed's value is clearer than a sum that does
+SUM = 30  # where it degenerates, the seed's value for a joint is clearer than for a sum
 SQUARED = 60  # a squared distance loses digits when the arm is nearly folded
 CONSTANT_FACTORS = 250  # c = Z alone loses half the digits near the ends of its range
 
@@ -29,9 +28,9 @@ class Angle:
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equation is not X s + Y c = Z with X and Y that matter."""
         (form,) = forms
-        if len(form.unknowns) != 1 or not isinstance(form.unknowns[0], AngleSum):
+        angle = form.only_angle
+        if angle is None:
             return "the unknown is not one angle"
-        angle = form.unknowns[0]
         if not form.within([(), (angle.cosine,), (angle.sine,)]):
             return "not linear in the cosine and sine"
         factors = (form.coefficient(angle.sine), form.coefficient(angle.cosine))
@@ -42,8 +41,9 @@ class Angle:
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """One step."""
         (form,) = forms
-        angle = form.unknowns[0]
-        assert isinstance(angle, AngleSum)
+        angle = form.only_angle
+        if angle is None:
+            return
         x, y, z = form.coefficient(angle.sine), form.coefficient(angle.cosine), -form.coefficient()
         joints = len(view.knowledge.representative(angle).terms)
         if not z:

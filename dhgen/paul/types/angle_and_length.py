@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from dhgen.paul.forms import Form
+    from dhgen.kinematics.algebra import AngleSum
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.forms import Form, Length
     from dhgen.paul.step import View
 
 PENALTY = 60
@@ -25,41 +26,67 @@ class AngleAndLength:
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r."""
-        sines, cosines = forms
-        if sines.unknowns != cosines.unknowns and not (
-            {*sines.unknowns} | {*cosines.unknowns} == {*(sines.unknowns or cosines.unknowns)}
-        ):
-            return "not the same two unknowns"
-        if len(sines.unknowns) != 2 or sines.unknowns != cosines.unknowns:
-            return "not the same two unknowns"
-        angle, length = sines.unknowns
-        if not (isinstance(angle, AngleSum) and isinstance(length, Length)):
-            return "the unknowns are not an angle and a length"
-        if not sines.within([(), (angle.sine,), (length.name,)]):
-            return "the first equation is not X1 s = Y1 + Z1 r"
-        if not cosines.within([(), (angle.cosine,), (length.name,)]):
-            return "the second equation is not X2 c = Y2 + Z2 r"
-        x1, x2 = sines.coefficient(angle.sine), cosines.coefficient(angle.cosine)
-        if not (view.is_constant(x1) and view.is_constant(x2)):
+        read = _read(forms)
+        if isinstance(read, str):
+            return read
+        if not (view.is_constant(read.x1) and view.is_constant(read.x2)):
             return "X1 or X2 may vanish"
-        factors = (sines.coefficient(length.name), cosines.coefficient(length.name))
-        if not all(view.is_constant(factor) for factor in factors):
+        if not (view.is_constant(read.z1) and view.is_constant(read.z2)):
             return "Z1 and Z2 may vanish together"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """One step for both unknowns."""
         del view
-        sines, cosines = forms
-        angle, length = sines.unknowns
-        assert isinstance(angle, AngleSum)
-        assert isinstance(length, Length)
+        read = _read(forms)
+        if isinstance(read, str):
+            return
+        unknowns = (read.angle, read.length)
         letters = (
-            ("X1", sines.coefficient(angle.sine)),
-            ("Y1", -sines.coefficient()),
-            ("Z1", -sines.coefficient(length.name)),
-            ("X2", cosines.coefficient(angle.cosine)),
-            ("Y2", -cosines.coefficient()),
-            ("Z2", -cosines.coefficient(length.name)),
+            ("X1", read.x1),
+            ("Y1", read.y1),
+            ("Z1", read.z1),
+            ("X2", read.x2),
+            ("Y2", read.y2),
+            ("Z2", read.z2),
         )
-        yield Step(Kind.ANGLE_AND_LENGTH, (angle, length), (sines, cosines), letters, 2, PENALTY)
+        yield Step(Kind.ANGLE_AND_LENGTH, unknowns, tuple(forms), letters, 2, PENALTY)
+
+
+@dataclass(frozen=True, slots=True)
+class _Letters:
+    """The equations in the type's letters."""
+
+    angle: AngleSum
+    length: Length
+    x1: Polynomial
+    y1: Polynomial
+    z1: Polynomial
+    x2: Polynomial
+    y2: Polynomial
+    z2: Polynomial
+
+
+def _read(forms: Sequence[Form]) -> _Letters | str:
+    """The equations in the type's letters, or why they have another shape."""
+    sines, cosines = forms
+    if sines.unknowns != cosines.unknowns or len(sines.unknowns) != 2:
+        return "not the same two unknowns"
+    pair = sines.angle_and_length
+    if pair is None:
+        return "the unknowns are not an angle and a length"
+    angle, length = pair
+    if not sines.within([(), (angle.sine,), (length.name,)]):
+        return "the first equation is not X1 s = Y1 + Z1 r"
+    if not cosines.within([(), (angle.cosine,), (length.name,)]):
+        return "the second equation is not X2 c = Y2 + Z2 r"
+    return _Letters(
+        angle,
+        length,
+        x1=sines.coefficient(angle.sine),
+        y1=-sines.coefficient(),
+        z1=-sines.coefficient(length.name),
+        x2=cosines.coefficient(angle.cosine),
+        y2=-cosines.coefficient(),
+        z2=-cosines.coefficient(length.name),
+    )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
@@ -13,6 +12,7 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Form
     from dhgen.paul.step import View
 
+CONSTANT_DIVISOR = 10
 VARIABLE_DIVISOR = 400  # X may vanish: only when nothing else works
 
 
@@ -25,22 +25,22 @@ class SingleLength:
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equation is not X r = Y."""
         (form,) = forms
-        if len(form.unknowns) != 1 or not isinstance(form.unknowns[0], Length):
+        length = form.only_length
+        if length is None:
             return "the unknown is not one length"
-        name = form.unknowns[0].name
-        if not form.within([(), (name,)]):
-            return f"{name} occurs in a higher power"
-        if view.witnesses.vanishes(form.coefficient(name)):
-            return f"the factor of {name} vanishes"
+        if not form.within([(), (length.name,)]):
+            return f"{length.name} occurs in a higher power"
+        if view.witnesses.vanishes(form.coefficient(length.name)):
+            return f"the factor of {length.name} vanishes"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """One step."""
         (form,) = forms
-        unknown = form.unknowns[0]
-        assert isinstance(unknown, Length)
-        x, y = form.coefficient(unknown.name), -form.coefficient()
-        penalty = 10 if view.is_constant(x) else VARIABLE_DIVISOR
-        yield Step(
-            Kind.LENGTH, (unknown,), (form,), (("X", x), ("Y", y)), 1, penalty + len(y)
-        )
+        length = form.only_length
+        if length is None:
+            return
+        x, y = form.coefficient(length.name), -form.coefficient()
+        penalty = CONSTANT_DIVISOR if view.is_constant(x) else VARIABLE_DIVISOR
+        letters = (("X", x), ("Y", y))
+        yield Step(Kind.LENGTH, (length,), (form,), letters, 1, penalty + len(y))

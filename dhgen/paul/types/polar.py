@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from dhgen.paul.forms import Form
+    from dhgen.kinematics.algebra import AngleSum
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.forms import Form, Length
     from dhgen.paul.step import View
 
 PENALTY = 50
@@ -25,33 +26,54 @@ class Polar:
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not a vector in polar coordinates."""
-        sines, cosines = forms
-        if sines.unknowns != cosines.unknowns or len(sines.unknowns) != 2:
-            return "not the same two unknowns"
-        angle, length = sines.unknowns
-        if not (isinstance(angle, AngleSum) and isinstance(length, Length)):
-            return "the unknowns are not an angle and a length"
-        if not sines.within([(), (length.name, angle.sine)]):
-            return "the first equation is not X1 r s = Y1"
-        if not cosines.within([(), (length.name, angle.cosine)]):
-            return "the second equation is not X2 r c = Y2"
-        x1 = sines.coefficient(length.name, angle.sine)
-        x2 = cosines.coefficient(length.name, angle.cosine)
-        if not (view.is_constant(x1) and view.is_constant(x2)):
+        read = _read(forms)
+        if isinstance(read, str):
+            return read
+        if not (view.is_constant(read.x1) and view.is_constant(read.x2)):
             return "X1 or X2 may vanish"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """One step for both unknowns."""
         del view
-        sines, cosines = forms
-        angle, length = sines.unknowns
-        assert isinstance(angle, AngleSum)
-        assert isinstance(length, Length)
-        letters = (
-            ("X1", sines.coefficient(length.name, angle.sine)),
-            ("Y1", -sines.coefficient()),
-            ("X2", cosines.coefficient(length.name, angle.cosine)),
-            ("Y2", -cosines.coefficient()),
-        )
-        yield Step(Kind.POLAR, (angle, length), (sines, cosines), letters, 2, PENALTY)
+        read = _read(forms)
+        if isinstance(read, str):
+            return
+        unknowns = (read.angle, read.length)
+        letters = (("X1", read.x1), ("Y1", read.y1), ("X2", read.x2), ("Y2", read.y2))
+        yield Step(Kind.POLAR, unknowns, tuple(forms), letters, 2, PENALTY)
+
+
+@dataclass(frozen=True, slots=True)
+class _Letters:
+    """The equations in the type's letters."""
+
+    angle: AngleSum
+    length: Length
+    x1: Polynomial
+    y1: Polynomial
+    x2: Polynomial
+    y2: Polynomial
+
+
+def _read(forms: Sequence[Form]) -> _Letters | str:
+    """The equations in the type's letters, or why they have another shape."""
+    sines, cosines = forms
+    if sines.unknowns != cosines.unknowns or len(sines.unknowns) != 2:
+        return "not the same two unknowns"
+    pair = sines.angle_and_length
+    if pair is None:
+        return "the unknowns are not an angle and a length"
+    angle, length = pair
+    if not sines.within([(), (length.name, angle.sine)]):
+        return "the first equation is not X1 r s = Y1"
+    if not cosines.within([(), (length.name, angle.cosine)]):
+        return "the second equation is not X2 r c = Y2"
+    return _Letters(
+        angle,
+        length,
+        x1=sines.coefficient(length.name, angle.sine),
+        y1=-sines.coefficient(),
+        x2=cosines.coefficient(length.name, angle.cosine),
+        y2=-cosines.coefficient(),
+    )

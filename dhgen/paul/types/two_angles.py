@@ -4,8 +4,9 @@ With the first equation as the real and the second as the imaginary part, all th
 
     V exp(i p) + W exp(i q) = Z,
 
-where p and q are angle sums (one may run backwards). The square of the size of W exp(i q) = Z - V exp(i p)
-removes q, and the square of Z = ... leaves only the difference p - q: each is of type 2.
+where p and q are angle sums (one may run backwards). The square of the size of
+W exp(i q) = Z - V exp(i p) removes q, and the square of Z = ... leaves only the difference p - q:
+each is of type 2.
 """
 
 from __future__ import annotations
@@ -13,12 +14,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form
     from dhgen.paul.knowledge import Cut, Knowledge
@@ -26,6 +27,37 @@ if TYPE_CHECKING:
 
 BY_DIFFERENCE = 100
 BY_ELIMINATION = 240
+VARIABLE_FACTORS = 60
+NOT_A_SUM = 10  # type 8 has two links, the shape that every reader knows
+
+
+class TwoAngles:
+    """Types 6, 7 and 8, two values for one angle; the other follows by type 3."""
+
+    name = "types 6 to 8"
+    arity = 2
+
+    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
+        """Why the equations are not one vector equation in two angles."""
+        read = _read(forms)
+        if isinstance(read, str):
+            return read
+        if any(_vanishes(vector, view) for vector in (read.v, read.w)):
+            return "a coefficient vanishes on every solution"
+        return None
+
+    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
+        """Up to three steps: for the difference of the angles, and for each of them."""
+        read = _read(forms)
+        if isinstance(read, str):
+            return
+        difference = _difference(read.v, read.w, view.knowledge)
+        kind = _kind(read.v, read.w, difference)
+        if difference is not None:
+            yield _by_difference(read, difference, kind, view)
+        if kind is not Kind.ANGLE_AND_SUM and any(read.known):
+            yield _by_elimination(read, kind, view)
+            yield _by_elimination(read.swapped(), kind, view)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,50 +70,48 @@ class Turned:
     im: Polynomial
 
 
-class TwoAngles:
-    """Types 6, 7 and 8, two values for one angle; the other follows by type 3."""
+@dataclass(frozen=True, slots=True)
+class _Vectors:
+    """The vector equation v + w = known, with v and w turned by two angles."""
 
-    name = "types 6 to 8"
-    arity = 2
+    forms: tuple[Form, Form]
+    v: Turned
+    w: Turned
+    known: tuple[Polynomial, Polynomial]
 
-    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
-        """Why the equations are not one vector equation in two angles."""
-        first, second = forms
-        if first.unknowns != second.unknowns or len(first.unknowns) != 2:
-            return "not the same two unknowns"
-        angles = [angle for angle in first.unknowns if isinstance(angle, AngleSum)]
-        if len(angles) != 2:
-            return "the unknowns are not two angles"
-        names = [name for angle in angles for name in (angle.cosine, angle.sine)]
-        linear = [(), *((name,) for name in names)]
-        if not (first.within(linear) and second.within(linear)):
-            return "not linear in the cosines and sines"
-        turned = [_turned(first, second, angle) for angle in angles]
-        if None in turned:
-            return "the coefficients are not those of a turned vector"
-        if any(_vanishes(vector, view) for vector in turned if vector is not None):
-            return "a coefficient vanishes on every solution"
-        return None
+    def swapped(self) -> _Vectors:
+        """The same with w first."""
+        return _Vectors(self.forms, self.w, self.v, self.known)
 
-    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """Up to three steps: for the difference of the angles, and for each of them."""
-        first, second = forms
-        vectors = [
-            vector
-            for angle in first.unknowns
-            if isinstance(angle, AngleSum)
-            and (vector := _turned(first, second, angle)) is not None
-        ]
-        v, w = vectors
-        known = (-first.coefficient(), -second.coefficient())
-        difference = _difference(v, w, view.knowledge)
-        kind = _kind(v, w, difference)
-        if difference is not None:
-            yield _by_difference(v, w, known, difference, kind, (first, second), view)
-        for kept, removed in ((v, w), (w, v)):
-            step = _by_elimination(kept, removed, known, kind, (first, second), view)
-            if step is not None:
-                yield step
+    @property
+    def letters(self) -> tuple[tuple[str, Polynomial], ...]:
+        """The components by name."""
+        return (
+            ("V1", self.v.re),
+            ("V2", self.v.im),
+            ("W1", self.w.re),
+            ("W2", self.w.im),
+            ("Z1", self.known[0]),
+            ("Z2", self.known[1]),
+        )
+
+
+def _read(forms: Sequence[Form]) -> _Vectors | str:
+    """The vector equation, or why the two equations are none."""
+    first, second = forms
+    if first.unknowns != second.unknowns or len(first.unknowns) != 2:
+        return "not the same two unknowns"
+    angles = first.two_angles
+    if angles is None:
+        return "the unknowns are not two angles"
+    names = [name for angle in angles for name in (angle.cosine, angle.sine)]
+    linear = [(), *((name,) for name in names)]
+    if not (first.within(linear) and second.within(linear)):
+        return "not linear in the cosines and sines"
+    v, w = (_turned(first, second, angle) for angle in angles)
+    if v is None or w is None:
+        return "the coefficients are not those of a turned vector"
+    return _Vectors((first, second), v, w, (-first.coefficient(), -second.coefficient()))
 
 
 def _turned(first: Form, second: Form, angle: AngleSum) -> Turned | None:
@@ -123,50 +153,33 @@ def _kind(v: Turned, w: Turned, difference: tuple[AngleSum, int] | None) -> Kind
     return Kind.TWO_ANGLES if any(straight) else Kind.TWO_ANGLES_TURNED
 
 
-def _square(re: Polynomial, im: Polynomial, view: View) -> Polynomial:
-    return view.knowledge.runs.algebra.normal(re * re + im * im)
+def _square(vector: Turned, view: View) -> Polynomial:
+    normal = view.knowledge.runs.algebra.normal
+    return normal(vector.re * vector.re + vector.im * vector.im)
 
 
 def _by_difference(
-    v: Turned,
-    w: Turned,
-    known: tuple[Polynomial, Polynomial],
-    difference: tuple[AngleSum, int],
-    kind: Kind,
-    forms: tuple[Form, Form],
-    view: View,
+    vectors: _Vectors, difference: tuple[AngleSum, int], kind: Kind, view: View
 ) -> Step:
     """2 Re(v conj(w) exp(i (p - q))) = |Z|^2 - |v|^2 - |w|^2."""
     normal = view.knowledge.runs.algebra.normal
-    angle, sign = difference
+    v, w, (angle, sign) = vectors.v, vectors.w, difference
     re = normal(2 * (v.re * w.re + v.im * w.im))
     im = normal(2 * (v.im * w.re - v.re * w.im))
-    rest = _square(v.re, v.im, view) + _square(w.re, w.im, view)
-    letters = (
-        ("V1", v.re), ("V2", v.im), ("W1", w.re), ("W2", w.im), ("Z1", known[0]), ("Z2", known[1]),
-        ("X", -im * sign), ("Y", re), ("N", rest),
-    )
-    penalty = BY_DIFFERENCE + placing(forms[0]) + (0 if view.is_constant(re) and view.is_constant(im) else 60)
-    return Step(kind, (angle,), forms, letters, 2, penalty + 10 * (kind is not Kind.ANGLE_AND_SUM))
+    rest = _square(v, view) + _square(w, view)
+    letters = (*vectors.letters, ("X", -im * sign), ("Y", re), ("N", rest))
+    penalty = BY_DIFFERENCE + placing(vectors.forms[0])
+    if not (view.is_constant(re) and view.is_constant(im)):
+        penalty += VARIABLE_FACTORS
+    if kind is not Kind.ANGLE_AND_SUM:
+        penalty += NOT_A_SUM
+    return Step(kind, (angle,), vectors.forms, letters, 2, penalty)
 
 
-def _by_elimination(
-    kept: Turned,
-    removed: Turned,
-    known: tuple[Polynomial, Polynomial],
-    kind: Kind,
-    forms: tuple[Form, Form],
-    view: View,
-) -> Step | None:
+def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
     """2 Re(v exp(i p) conj(Z)) = |Z|^2 + |v|^2 - |w|^2."""
-    if not any(known):
-        return None
-    if kind is Kind.ANGLE_AND_SUM:
-        return None
-    rest = _square(kept.re, kept.im, view) - _square(removed.re, removed.im, view)
-    letters = (
-        ("V1", kept.re), ("V2", kept.im), ("W1", removed.re), ("W2", removed.im),
-        ("Z1", known[0]), ("Z2", known[1]), ("N", rest),
-    )
-    penalty = BY_ELIMINATION + placing(forms[0]) + sum(len(part) for part in known)
-    return Step(kind, (kept.angle,), forms, letters, 2, penalty)
+    rest = _square(vectors.v, view) - _square(vectors.w, view)
+    length = sum(len(part) for part in vectors.known)
+    penalty = BY_ELIMINATION + placing(vectors.forms[0]) + length
+    letters = (*vectors.letters, ("N", rest))
+    return Step(kind, (vectors.v.angle,), vectors.forms, letters, 2, penalty)

@@ -1,0 +1,163 @@
+"""A modified Denavit-Hartenberg table from axes in space, by the common normals of neighbours.
+
+In floating point, for axes whose directions are not exact: what comes out near a multiple of
+15 degrees or near zero becomes exact, so that parallel and concurrent axes stay what they are.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.robot.expression import ZERO, Binary, Negate, Number, Pi, evaluate
+from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+    from dhgen.robot.expression import Expression
+    from dhgen.robot.robot import AxisJoint, ReferenceAxes, Robot
+
+    Vector = NDArray[np.float64]
+
+SNAP = 1e-9  # twists and lengths nearer than this to an exact value are exact
+
+
+@dataclass(frozen=True, slots=True)
+class _Passage:
+    """From one axis to the next: Rz(turn) Tz(offset) Rx(twist) Tx(length)."""
+
+    turn: float
+    offset: float
+    twist: float
+    length: float
+
+
+_NONE = _Passage(0.0, 0.0, 0.0, 0.0)
+
+
+def table_of_axes(robot: Robot, reference: ReferenceAxes) -> tuple[Robot, DhTable]:
+    """The same arm as a modified table, with base and tool that fit it.
+
+    Args:
+        robot: The arm.
+        reference: Its geometry.
+    """
+    values = {parameter.name: parameter.value for parameter in robot.parameters}
+    axes = reference.axes
+    directions = [_unit([evaluate(c, values) for c in axis.direction]) for axis in axes]
+    points = [np.array([evaluate(c, values) for c in axis.point]) for axis in axes]
+    home = _matrix(reference.home, values)
+    reach = sum(np.linalg.norm(point) for point in points) + np.linalg.norm(home[:3, 3])
+    size = float(reach) or 1.0
+    start = _start_frame(directions[0], points[0] * (axes[0].kind is JointKind.REVOLUTE))
+    frame, passages = start, [_NONE]
+    for axis, direction, point in zip(axes[1:], directions[1:], points[1:], strict=True):
+        target = point if axis.kind is JointKind.REVOLUTE else frame[:3, 3]
+        passage, frame = _common_normal(frame, direction, target, size)
+        passages.append(passage)
+    rows = tuple(
+        _row(axis, before, after, size)
+        for axis, (before, after) in zip(axes, pairwise([*passages, _NONE]), strict=True)
+    )
+    table = DhTable(Convention.MODIFIED, rows)
+    base = _frame(_matrix(robot.base, values) @ start, size)
+    tool = _frame(np.linalg.inv(frame) @ home @ _matrix(robot.tool, values), size)
+    return replace(robot, geometry=table, base=base, tool=tool), table
+
+
+def _unit(vector: list[float]) -> Vector:
+    array = np.array(vector)
+    return np.asarray(array / np.linalg.norm(array))
+
+
+def _start_frame(direction: Vector, point: Vector) -> Vector:
+    """A frame at the point of the first axis nearest to the origin, z along the axis."""
+    helper = np.eye(3)[0] if abs(direction[0]) < 0.9 else np.eye(3)[1]
+    x = _unit(list(helper - direction * (helper @ direction)))
+    return _pose(x, direction, point - direction * (point @ direction))
+
+
+def _common_normal(
+    current: Vector, direction: Vector, point: Vector, size: float
+) -> tuple[_Passage, Vector]:
+    """The passage from the axis of a frame to the next axis, and the frame there."""
+    origin, x, y, z = current[:3, 3], current[:3, 0], current[:3, 1], current[:3, 2]
+    between = point - origin
+    normal = np.cross(z, direction)
+    if np.linalg.norm(normal) < SNAP:
+        across = between - z * (between @ z)
+        normal = across if np.linalg.norm(across) > SNAP * size else x
+        foot, landing = origin, origin + across
+    else:
+        lean = z @ direction
+        along = (between @ z - lean * (between @ direction)) / (1.0 - lean * lean)
+        foot = origin + along * z
+        landing = point + direction * ((foot - point) @ direction)
+    axis = _unit(list(normal))
+    passage = _Passage(
+        turn=math.atan2(axis @ y, axis @ x),
+        offset=float((foot - origin) @ z),
+        twist=math.atan2(np.cross(z, direction) @ axis, z @ direction),
+        length=float((landing - foot) @ axis),
+    )
+    return passage, _pose(axis, direction, landing)
+
+
+def _pose(x: Vector, z: Vector, origin: Vector) -> Vector:
+    frame = np.eye(4)
+    frame[:3, :3] = np.column_stack([x, np.cross(z, x), z])
+    frame[:3, 3] = origin
+    return frame
+
+
+def _row(axis: AxisJoint, before: _Passage, after: _Passage, size: float) -> DhRow:
+    """Of the modified convention: what leads to the axis along x, and from it along z."""
+    return DhRow(
+        kind=axis.kind,
+        sign=1,
+        theta=_angle(after.turn),
+        d=_length(after.offset, size),
+        a=_length(before.length, size),
+        alpha=_angle(before.twist),
+        limits=axis.limits,
+    )
+
+
+def _angle(value: float) -> Expression:
+    steps = round(value / (math.pi / 12.0))
+    if abs(value - steps * math.pi / 12.0) < SNAP:
+        return Binary("*", Number(Fraction(steps, 12)), Pi()) if steps else ZERO
+    return _number(value)
+
+
+def _length(value: float, size: float) -> Expression:
+    return ZERO if abs(value) < SNAP * size else _number(value)
+
+
+def _number(value: float) -> Expression:
+    exact = Number(Fraction(repr(abs(value))))
+    return Negate(exact) if value < 0.0 else exact
+
+
+def _matrix(frame: Frame, values: Mapping[str, float]) -> Vector:
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.array([evaluate(c, values) for c in frame.rotation]).reshape(3, 3)
+    matrix[:3, 3] = [evaluate(c, values) for c in frame.xyz]
+    return matrix
+
+
+def _frame(matrix: Vector, size: float) -> Frame:
+    rotation = tuple(
+        _number(float(round(entry))) if abs(entry - round(entry)) < SNAP else _number(float(entry))
+        for entry in matrix[:3, :3].flat
+    )
+    x, y, z = (_length(float(entry), size) for entry in matrix[:3, 3])
+    return Frame((x, y, z), rotation)
