@@ -231,10 +231,22 @@ class Builder:
         condition: Node,
         failure: Failure,
         margin: Node | None = None,
-        chosen: tuple[Node, ...] = (),
+        chosen: Iterable[tuple[int, Node]] = (),
     ) -> None:
-        """Ends the branches on which the condition is false."""
-        mark = _Mark(len(self._entries), None, condition, margin, failure, chosen)
+        """Ends the branches on which the condition is false.
+
+        Args:
+            condition: What must hold.
+            failure: Why it may not.
+            margin: What must not be negative, if that is the condition.
+            chosen: Joints that may have been chosen freely, with the truth value that says so;
+                those whose choice has no influence on the margin are left out.
+        """
+        leaves = set() if margin is None else self._leaves(margin)
+        flags = tuple(
+            dict.fromkeys(flag for joint, flag in chosen if Joint(joint, "seed") in leaves)
+        )
+        mark = _Mark(len(self._entries), None, condition, margin, failure, flags)
         mark.axes = self._entries[condition].axes
         self._marks.append(mark)
 
@@ -356,10 +368,36 @@ class Builder:
                 self._names.setdefault(node, self._unique(f"chosen{node}"))
         for node in sorted(live):
             entry = self._entries[node]
-            if entry.operator in {None, "neg"}:
+            if entry.operator in {None, "neg", "not"} or self._is_rare(entry):
                 continue
             if (uses.get(node, 0) > 1 or node in wider) and node not in self._names:
                 self._names[node] = self._unique(f"v{len(self._names) + 1}")
+
+    def _is_rare(self, entry: _Entry) -> bool:
+        """Whether a value costs nothing, or is wanted only where a joint is free: it stays in place."""
+        leaves = [self._entries[operand].leaf for operand in entry.operands]
+        if entry.operator == "less" and any(leaf in self._sign_names() for leaf in leaves):
+            return True
+        return entry.operator in {"cos", "sin"} and any(
+            isinstance(leaf, Joint) and leaf.role == "seed"
+            for operand in entry.operands
+            for leaf in self._leaves(operand)
+        )
+
+    def _sign_names(self) -> list[Variable]:
+        return [Variable(axis.name) for axis in self.axes]
+
+    def _leaves(self, node: Node) -> set[Expression]:
+        found: set[Expression] = set()
+        pending, seen = [node], {node}
+        while pending:
+            entry = self._entries[pending.pop()]
+            if entry.leaf is not None:
+                found.add(entry.leaf)
+            fresh = [operand for operand in entry.operands if operand not in seen]
+            seen.update(fresh)
+            pending += fresh
+        return found
 
     def _statements(self, live: set[Node]) -> list[Statement]:
         statements: list[Statement] = []

@@ -87,6 +87,9 @@ class Lowering:
 
     def lower(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial."""
+        for place, symbol in enumerate(polynomial.ring.symbols):
+            if any(monomial[place] for monomial in polynomial):
+                self.value(str(symbol))  # sums of angles are composed, and ranked, before they are used
         return self.polynomials.lower(polynomial)
 
     def constant(self, name: str, value: float, meaning: str) -> Node:
@@ -235,10 +238,9 @@ class Lowering:
         for joint in open_joints:
             self._free.setdefault(joint, []).append(flag)
 
-    def free_flags(self) -> tuple[Node, ...]:
-        """The truth values that say that some joint was chosen so far."""
-        flags = [flag for flags in self._free.values() for flag in flags]
-        return tuple(dict.fromkeys(flags))
+    def free_flags(self) -> list[tuple[int, Node]]:
+        """The joints that may have been chosen so far, with the truth values that say so."""
+        return [(joint, flag) for joint, flags in self._free.items() for flag in flags]
 
     def seed_angle(self, angle: AngleSum) -> Node:
         """An angle sum with the seed's values for its unknown joints."""
@@ -371,7 +373,7 @@ class Lowering:
             worst = miss if worst is None else builder.apply("maximum", worst, miss)
         assert worst is not None
         inside = builder.apply("at_most", worst, builder.integer(1))
-        builder.guard(inside, Failure.INCONSISTENT, chosen=self.free_flags())
+        builder.guard(inside, Failure.INCONSISTENT)
 
 
 _REASONS = {
