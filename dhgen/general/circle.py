@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from math import atan2, cos, pi, sin, sqrt
+from math import cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -245,7 +245,3 @@ def _merged(angles: list[float]) -> list[float]:
             kept.append(x)
     return kept
 
-
-def angle_of(cosine: float, sine: float) -> float:
-    """The angle of a sine and a cosine with any common factor."""
-    return atan2(sine, cosine)

@@ -116,7 +116,7 @@ def _score(
     noise, displacement = [], []
     for i, samples in enumerate(determinant.reshape(count, SAMPLES)):
         f = trigonometric(samples)
-        noise.append(f.noise)
+        noise.append(f.noise if samples.any() else 1.0)  # a determinant of nothing but zeros
         value, first, second = f.at(cosine[i], sine[i])
         root = sqrt(abs(first * first - 2.0 * value * second))
         displacement.append(2.0 * abs(value) / (abs(first) + root + 1e-300))

@@ -1,0 +1,70 @@
+"""Newton's method on the loop, for candidates that are nearly solutions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.general.recover import EZ, turn
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+
+# Singular values below this part of the largest count as zero: Newton then moves in the rest
+# only, instead of leaping along a direction that the pose does not determine.
+RANK = 1e-9
+GOOD_ENOUGH = 1e-15
+
+
+def error(links: Sequence[FloatArray], P: FloatArray, theta: FloatArray) -> FloatArray:
+    """How far the loop is from closing: translation [arm sizes] and rotation vector [rad], (6,)."""
+    return _linearised(links, P, theta)[0]
+
+
+def polish(
+    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray, steps: int
+) -> tuple[FloatArray, float]:
+    """The best iterate and its residual.
+
+    Args:
+        links: K0 ... K4 [arm sizes].
+        P: The pose of the loop, (4, 4).
+        theta: Joint angles, (6,) [rad].
+        steps: How many steps at most.
+    """
+    best, least = theta, np.inf
+    for _ in range(steps + 1):
+        miss, J = _linearised(links, P, theta)
+        residual = float(np.linalg.norm(miss))
+        if residual < least:
+            best, least = theta, residual
+        if residual < GOOD_ENOUGH:
+            break
+        step, *_ = np.linalg.lstsq(J, miss, rcond=RANK)
+        theta = theta + np.clip(step, -1.0, 1.0)
+    return best, least
+
+
+def _linearised(
+    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    T = np.eye(4)
+    axes, points = [], []
+    for i, angle in enumerate(theta):
+        if i:
+            T = T @ links[i - 1]
+        axes.append(T[:3, :3] @ EZ)
+        points.append(T[:3, 3])
+        T = T @ turn(angle)
+    spin = P[:3, :3] @ T[:3, :3].T
+    rotation = [spin[2, 1] - spin[1, 2], spin[0, 2] - spin[2, 0], spin[1, 0] - spin[0, 1]]
+    half = np.array(rotation) / 2
+    # half a turn away the skew part vanishes too: the trace tells
+    half = half + np.where(np.trace(spin[:3, :3]) < 0, 1.0, 0.0)
+    J = [[*np.cross(z, T[:3, 3] - o), *z] for z, o in zip(axes, points, strict=True)]
+    return np.concatenate([P[:3, 3] - T[:3, 3], half]), np.array(J).T

@@ -1,0 +1,112 @@
+"""From a root of the determinant to all six angles.
+
+A null vector gives φ2 and φ3; then B = Rz(φ4) L3 Rz(φ5) L4 Rz(φ6) is known, and what does not
+depend on φ4 and φ6 is linear in cos φ5 and sin φ5: the invariants of axis 4 and axis 6 in B.
+"""
+
+from __future__ import annotations
+
+from math import atan2
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+
+EZ = np.array([0.0, 0.0, 1.0])
+
+
+def turn(angle: float) -> FloatArray:
+    """Rz(angle), (4, 4)."""
+    c, s = np.cos(angle), np.sin(angle)
+    T = np.eye(4)
+    T[:2, :2] = [[c, -s], [s, c]]
+    return T
+
+
+def null_vectors(factor: FloatArray, dimension: int) -> Iterator[FloatArray]:
+    """Vectors (2, 3) near (x3, 1) ⊗ (x2², x2, 1) in the null space of a 6x6 factor.
+
+    Args:
+        factor: (6, 6), singular or nearly so.
+        dimension: 1, or 2 where two roots may have met: then the null space is split where
+            one of the two shifts, x3 between the rows or x2 between the columns, is an eigenvalue.
+    """
+    *_, V = np.linalg.svd(factor)
+    yield V[-1].reshape(2, 3)
+    if dimension == 1:
+        return
+    first, second = V[-1].reshape(2, 3), V[-2].reshape(2, 3)
+    for split in (lambda n: (n[0], n[1]), lambda n: (n[:, :2].ravel(), n[:, 1:].ravel())):
+        up = np.stack([split(first)[0], split(second)[0]], axis=1)
+        down = np.stack([split(first)[1], split(second)[1]], axis=1)
+        for weights in _eigenvectors(up, down):
+            yield weights[0] * first + weights[1] * second
+
+
+def _eigenvectors(up: FloatArray, down: FloatArray) -> Iterator[FloatArray]:
+    """Weights w with up w = x down w for some x, real ones only; x may be infinite."""
+    M = np.concatenate([up, down], axis=1)
+    # (cos t) up - (sin t) down is singular on the two directions that carry it
+    _, _, V = np.linalg.svd(np.concatenate([up, -down], axis=1))
+    del M, V
+    A = down.T @ up
+    G = down.T @ down
+    H = up.T @ up
+    pair = (G + 0.0, A) if np.linalg.det(G) >= np.linalg.det(H) else (H, A.T)
+    if abs(np.linalg.det(pair[0])) < 1e-24:
+        return
+    values, vectors = np.linalg.eig(np.linalg.solve(pair[0], pair[1]))
+    for value, vector in zip(values, vectors.T, strict=True):
+        if abs(value.imag) < 1e-9:
+            yield vector.real
+
+
+def partner_angles(vector: FloatArray) -> tuple[float, float]:
+    """φ2 and φ3 from (x3, 1) ⊗ (x2², x2, 1), any multiple of it."""
+    row = vector[np.argmax(np.abs(vector).max(axis=1))]
+    column = vector[:, np.argmax(np.abs(vector).max(axis=0))]
+    # cos φ : sin φ = 1 − x² : 2 x
+    square, first, one = row * np.copysign(1.0, row[0] + row[2])
+    phi_2 = atan2(2 * first, one - square)
+    return phi_2, 2 * atan2(column[0], column[1])
+
+
+def remaining_angles(
+    links: Sequence[FloatArray], phi: tuple[float, float, float]
+) -> tuple[float, ...]:
+    """φ1 ... φ6 from φ1, φ2, φ3 and the six links of this pose."""
+    A = turn(phi[0]) @ links[0] @ turn(phi[1]) @ links[1] @ turn(phi[2]) @ links[2]
+    B = np.linalg.inv(links[5] @ A)
+    phi_5 = _middle_angle(B, links[3], links[4])
+    C = links[3] @ turn(phi_5) @ links[4]
+    # Rz(φ4) takes the x, y components of C's third and fourth column to those of B
+    (cx, cy), (bx, by) = C[:2, 2:], B[:2, 2:]
+    phi_4 = atan2(float(cx @ by - cy @ bx), float(cx @ bx + cy @ by))
+    last = np.linalg.inv(turn(phi_4) @ C) @ B
+    phi_6 = atan2(last[1, 0] - last[0, 1], last[0, 0] + last[1, 1])
+    return (*phi, phi_4, phi_5, phi_6)
+
+
+def _middle_angle(B: FloatArray, K: FloatArray, M: FloatArray) -> float:
+    """φ5 of B = Rz(φ4) K Rz(φ5) M Rz(φ6), by least squares on five invariants."""
+    l, p = B[:3, 2], B[:3, 3]
+    R, t, e, u = K[:3, :3], K[:3, 3], M[:3, 2], M[:3, 3]
+    axis, foot, side = R.T @ EZ, R.T @ t, R.T @ np.cross(EZ, t)
+    terms = (
+        ([(axis, e)], l[2]),
+        ([(axis, u)], p[2] - t[2]),
+        ([(foot, e)], p @ l - u @ e),
+        ([(foot, u)], (p @ p - t @ t - u @ u) / 2),
+        ([(axis, np.cross(u, e)), (side, e)], np.cross(p, l)[2]),
+    )
+    matrix = [[sum(a[:2] @ b[:2] for a, b in sides) for sides, _ in terms]]
+    matrix.append([sum(a[1] * b[0] - a[0] * b[1] for a, b in sides) for sides, _ in terms])
+    target = [value - sum(a[2] * b[2] for a, b in sides) for sides, value in terms]
+    (c, s), *_ = np.linalg.lstsq(np.array(matrix).T, np.array(target), rcond=None)
+    return atan2(s, c)
