@@ -37,11 +37,19 @@ class Diagnostic:
 
 
 class DhgenError(Exception):
-    """Anything that dhgen refuses, with a text meant for its user."""
+    """Anything that dhgen refuses, with a text meant for its user.
+
+    Attributes:
+        exit_code: 2 for a mistake in a file, 1 for what dhgen cannot do.
+    """
+
+    exit_code = 1
 
 
 class RobotFileError(DhgenError):
     """A robot file that can't be read: every mistake in it, in the order of the file."""
+
+    exit_code = 2
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         self.diagnostics = diagnostics

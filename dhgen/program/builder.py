@@ -195,6 +195,13 @@ class Builder:
             return self.sub(entry.operands[1], entry.operands[0])
         return self.apply("neg", operand)
 
+    def absolute(self, operand: Node) -> Node:
+        """Its size; of a constant here and now."""
+        value = self._entries[operand].value
+        if value is None:
+            return self.apply("abs", operand)
+        return operand if value >= 0 else self.neg(operand)
+
     def square(self, operand: Node) -> Node:
         """operand * operand, without its sign."""
         entry = self._entries[operand]

@@ -48,7 +48,14 @@ def lower_angle(context: Lowering, step: Step) -> None:
     discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
     fixed = context.algebra_constant(step.coefficient("X"), step.coefficient("Y"))
     free = None if fixed else _is_short_square(context, square, degree, angle)
-    root = _signed_root(context, angle, discriminant, 2 * degree, free)
+    twice = builder.mul(builder.integer(2), builder.absolute(z))
+    limits = [
+        builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
+        for delta in context.distances(degree)
+    ]
+    inside = builder.apply("at_most", builder.neg(limits[0]), discriminant)
+    apart = builder.apply("less", limits[1], discriminant)
+    root = _signed_root(context, angle, discriminant, inside, apart, free)
     safe = square if free is None else builder.select(free, builder.integer(1), square)
     inverse = builder.div(builder.integer(1), safe)
     sine = builder.add(builder.mul(x, z), builder.mul(y, root))
@@ -97,7 +104,8 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     facing = _sign_of(context, determinant, step)
     length = builder.apply("sqrt", builder.add(builder.square(sine), builder.square(cosine)))
     length = builder.name(length, f"w{angle.suffix}")
-    free = _is_short(context, length, degree, angle)
+    # the product of two vectors of equal length, which vanish together
+    free = _is_short_square(context, length, degree // 2, angle)
     safe = builder.select(free, builder.integer(1), length)
     factor = builder.div(facing, safe)
     _finish(context, step, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
@@ -136,7 +144,10 @@ def lower_polar(context: Lowering, step: Step) -> None:
 
 
 def lower_angle_and_length(context: Lowering, step: Step) -> None:
-    """Type 5: a quadratic in r, then the angle."""
+    """Type 5: a quadratic in r, then the angle.
+
+    Its discriminant b^2 - a c is written a - (V x W)^2, which loses nothing where it is small.
+    """
     angle, unknown = step.unknowns
     assert isinstance(angle, AngleSum)
     assert isinstance(unknown, Length)
@@ -148,11 +159,14 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     v2, w2 = builder.div(y2, x2), builder.div(z2, x2)
     a = builder.add(builder.square(w1), builder.square(w2))
     b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
-    size = builder.add(builder.square(v1), builder.square(v2))
-    c = builder.sub(size, builder.integer(1))
-    discriminant = builder.sub(builder.square(b), builder.mul(a, c))
-    builder.name(discriminant, f"D{unknown.joint}")
-    root = _signed_root(context, angle, discriminant, -2, None)
+    off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
+    discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}")
+    reach, merge = (
+        builder.mul(builder.mul(builder.integer(2), a), delta) for delta in context.distances(0)
+    )
+    inside = builder.apply("at_most", builder.neg(reach), discriminant)
+    apart = builder.apply("less", merge, discriminant)
+    root = _signed_root(context, angle, discriminant, inside, apart, None)
     r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
     context.solved_slide(unknown.name, r)
     sine = builder.add(v1, builder.mul(w1, r))
@@ -176,15 +190,19 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     x, y = context.lower(step.coefficient("X")), context.lower(step.coefficient("Y"))
     k = builder.sub(reach, context.lower(step.coefficient("N")))
     builder.name(k, f"K{angle.suffix}")
-    degree = 2 * context.degree(step.coefficient("Y") or step.coefficient("X"))
     square = builder.add(builder.square(x), builder.square(y))
-    if context.algebra_constant(*(v for key, v in step.coefficients if key[0] in "VW")):
-        longest, shortest = context.extreme_reach(step)
-        discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
-    else:
-        discriminant = builder.sub(square, builder.square(k))
+    longest, shortest = context.extreme_reach(step, "square of the {} reach")
+    discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
     builder.name(discriminant, f"D{angle.suffix}")
-    root = _signed_root(context, angle, discriminant, degree, None)
+    far, near = context.extreme_reach(step, "the same, {} by rounding", TOLERANCES.reach)
+    inside = builder.apply(
+        "and", builder.apply("at_most", near, reach), builder.apply("at_most", reach, far)
+    )
+    below, above = context.extreme_reach(step, "the same, {} for merging", -TOLERANCES.merge)
+    apart = builder.apply(
+        "and", builder.apply("less", above, reach), builder.apply("less", reach, below)
+    )
+    root = _signed_root(context, angle, discriminant, inside, apart, None)
     if builder.is_zero(x):
         sine, cosine = builder.div(root, y), builder.div(k, y)
     else:
@@ -194,16 +212,17 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
 
 
 def _signed_root(
-    context: Lowering, angle: AngleSum, discriminant: Node, degree: int, free: Node | None
+    context: Lowering,
+    angle: AngleSum,
+    discriminant: Node,
+    inside: Node,
+    apart: Node,
+    free: Node | None,
 ) -> Node:
     """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet."""
     builder = context.builder
-    degree = abs(degree) if degree >= 0 else 0
-    reach = context.tolerance(TOLERANCES.reach, degree, "reach")
-    merge = context.tolerance(TOLERANCES.merge, degree, "merge")
-    inside = builder.apply("at_most", builder.neg(reach), discriminant)
     builder.guard(inside, Failure.REACH, discriminant, context.free_flags())
-    apart = builder.name(builder.apply("less", merge, discriminant), f"apart{angle.suffix}")
+    builder.name(apart, f"apart{angle.suffix}")
     kept = builder.select(apart, discriminant, builder.integer(0))
     length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
     sign = context.new_sign()

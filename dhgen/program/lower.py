@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
@@ -117,17 +118,32 @@ class Lowering:
         """Sine and cosine of an angle sum as ring elements."""
         return self._algebra.generator(angle.sine), self._algebra.generator(angle.cosine)
 
-    def extreme_reach(self, step: Step) -> tuple[Node, Node]:
-        """Squares of the longest and shortest |V + W| of two links V and W that turn freely."""
+    def extreme_reach(self, step: Step, meaning: str, widened: float = 0.0) -> tuple[Node, Node]:
+        """Squares of the longest and shortest |V + W| of two links V and W that turn freely.
+
+        Args:
+            step: The step, with V and W made of lengths alone.
+            meaning: For comments; {} is longest or shortest.
+            widened: By how much both reaches are moved apart [arm sizes].
+        """
         v, w = (
-            sum(self._number(step.coefficient(letter + part)) ** 2 for part in "12") ** 0.5
+            math.hypot(*(self._number(step.coefficient(letter + part)) for part in "12"))
             for letter in "VW"
         )
-        longest = self.constant(f"longest{self.step_number}", (v + w) ** 2, "longest reach, squared")
-        shortest = self.constant(
-            f"shortest{self.step_number}", (v - w) ** 2, "shortest reach, squared"
+        move = widened * self.size
+        tail = {0.0: ""}.get(widened, "_reach" if widened > 0.0 else "_apart")
+        longest = max(v + w + move, 0.0) ** 2
+        shortest = max(abs(v - w) - move, 0.0) ** 2
+        number = self.step_number
+        return (
+            self.constant(f"longest{number}{tail}", longest, meaning.format("longest")),
+            self.constant(f"shortest{number}{tail}", shortest, meaning.format("shortest")),
         )
-        return longest, shortest
+
+    def distances(self, degree: int) -> tuple[Node, Node]:
+        """What rounding may do to a value of this many lengths: for reaching, and for merging."""
+        reach = self.tolerance(TOLERANCES.reach, degree, "reach")
+        return reach, self.tolerance(TOLERANCES.merge, degree, "merge")
 
     def _number(self, polynomial: Polynomial) -> float:
         """The value of a polynomial in the arm's constants."""

@@ -17,10 +17,10 @@ class Tolerances:
         free: A vector that should fix an angle is no longer than this: the joint is free. Above
             rounding, which is larger than usual where the arm is nearly folded; a direction taken
             from a vector just longer is good to 1e-3 rad and its residual is still this small.
-        reach: A discriminant may be this far below zero: a pose on the workspace boundary,
-            stretched or folded, lands there by rounding.
-        merge: A discriminant below this is zero: the two branches have met. Above rounding, so
-            that a stretched arm is one solution, not two that differ by 1e-8.
+        reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
+            folded, lands there by rounding.
+        merge: Nearer to the boundary of reach than this, the two branches have met. Above
+            rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
@@ -32,7 +32,7 @@ class Tolerances:
     """
 
     free: float = 1e-12
-    reach: float = 1e-12
+    reach: float = 1e-13
     merge: float = 1e-14
     orthonormal: float = 1e-24
     rotation: float = 1e-9

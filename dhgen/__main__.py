@@ -1,0 +1,7 @@
+"""`python -m dhgen`."""
+
+import sys
+
+from dhgen.cli import main
+
+sys.exit(main())

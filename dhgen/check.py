@@ -1,0 +1,88 @@
+"""`dhgen --check`: is the output folder what the compiler makes of the robot files?"""
+
+from __future__ import annotations
+
+import difflib
+import os
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+from dhgen.compiler import compile_robot
+
+MOST_DIFFERENCES = 60  # lines of a diff that are shown
+
+SUFFIXES = {".py", ".c", ".h", ".md"}
+
+
+def stale(files: tuple[Path, ...], out: Path) -> list[str]:
+    """Everything that is not as it should be, as texts; empty when all is well.
+
+    Raises:
+        DhgenError: A robot file has mistakes or is not solved.
+    """
+    expected: dict[str, str] = {}
+    makers: dict[str, Path] = {}
+    for path, made in zip(files, _compile_all(files), strict=True):
+        for name, text in made.items():
+            expected[name] = text
+            makers.setdefault(name, path)
+    problems = []
+    for name, text in sorted(expected.items()):
+        problem = _difference(out / name, text)
+        if problem:
+            problems.append(f"{problem}\n  to mend: dhgen {makers[name]}{_out_option(out)}")
+    problems += [
+        f"{out / name}: extra file, no robot file makes it\n  to mend: rm {out / name}"
+        for name in _extra(files, out, set(expected))
+    ]
+    return problems
+
+
+def _compile_all(files: tuple[Path, ...]) -> list[dict[str, str]]:
+    workers = min(len(files), os.cpu_count() or 1)
+    if workers == 1:
+        return [_files_of(path) for path in files]
+    with ProcessPoolExecutor(workers) as pool:
+        return list(pool.map(_files_of, files))
+
+
+def _files_of(path: Path) -> dict[str, str]:
+    return compile_robot(path).files
+
+
+def _difference(path: Path, text: str) -> str | None:
+    try:
+        present = path.read_bytes().decode("utf-8", "replace")
+    except FileNotFoundError:
+        return f"{path}: missing"
+    if present == text:
+        return None
+    diff = difflib.unified_diff(
+        present.splitlines(), text.splitlines(), str(path), f"{path} (as compiled)", lineterm=""
+    )
+    lines = list(diff)
+    if len(lines) > MOST_DIFFERENCES:
+        more = len(lines) - MOST_DIFFERENCES
+        lines = [*lines[:MOST_DIFFERENCES], f"... and {more} lines more"]
+    return "\n".join([f"{path}: changed", *lines])
+
+
+def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
+    """Files of the output folder that neither these robot files nor their neighbours make."""
+    neighbours = {
+        each.stem for folder in {path.resolve().parent for path in files} for each in folder.glob("*.yaml")
+    }
+    known = {path.stem for path in files}
+    if not out.is_dir():
+        return []
+    return sorted(
+        path.name
+        for path in out.iterdir()
+        if path.suffix in SUFFIXES
+        and path.name not in expected
+        and (path.stem in known or path.stem not in neighbours)
+    )
+
+
+def _out_option(out: Path) -> str:
+    return "" if out == Path("generated") else f" --out {out}"

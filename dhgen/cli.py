@@ -1,0 +1,139 @@
+"""The command line: `dhgen robots/scara.yaml`, `dhgen --check robots/*.yaml`, `dhgen explain`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dhgen.errors import DhgenError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.compiler import Compilation
+
+OUT = Path("generated")
+
+EPILOG = """\
+verbs:
+  dhgen FILE ...           derive, tell how in short, verify, and write generated/ (or --out DIR)
+  dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
+  dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
+
+exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command; returns the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        if words[:1] == ["explain"]:
+            return _explain(_explain_parser().parse_args(words[1:]))
+        options = _parser().parse_args(words)
+        return _check(options) if options.check else _write(options)
+    except DhgenError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code
+    except BrokenPipeError:  # the reader of our output has seen enough
+        sys.stderr.close()
+        return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="dhgen",
+        description="Exact inverse kinematics from Denavit-Hartenberg tables, as Python and C.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="robot files (YAML)")
+    parser.add_argument("--check", action="store_true", help="only compare, write nothing")
+    parser.add_argument("--out", type=Path, default=OUT, metavar="DIR", help="default: generated")
+    return parser
+
+
+def _explain_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="dhgen explain", description="Prints the derivation of a robot in the terminal."
+    )
+    parser.add_argument("file", type=Path, metavar="FILE", help="a robot file (YAML)")
+    parser.add_argument(
+        "--alternatives", action="store_true", help="the other valid equations of each step"
+    )
+    parser.add_argument("--program", action="store_true", help="the program that is emitted")
+    return parser
+
+
+def _tell(text: str) -> None:
+    """Progress, for those who wait at a terminal."""
+    if sys.stderr.isatty():
+        print(f"  {text} ...", file=sys.stderr, flush=True)
+
+
+def _compile(path: Path) -> Compilation:
+    from dhgen.compiler import compile_robot  # noqa: PLC0415 - errors and --help need no sympy
+
+    return compile_robot(path, _tell)
+
+
+def _write(options: argparse.Namespace) -> int:
+    from dhgen.compiler import verified  # noqa: PLC0415
+    from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
+
+    worst = 0
+    for path in options.files:
+        try:
+            compilation = _compile(path)
+            for notice in compilation.robot.notices:
+                print(f"note: {notice}", file=sys.stderr)
+            module = compilation.module
+            print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
+            report = verified(compilation, _tell)
+        except DhgenError as error:
+            print(error, file=sys.stderr)
+            worst = max(worst, error.exit_code)
+            continue
+        options.out.mkdir(parents=True, exist_ok=True)
+        for name, text in compilation.files.items():
+            (options.out / name).write_text(text, encoding="utf-8", newline="\n")
+        compiled = "Python and C agree" if report.compiled else "no C compiler found: C not tried"
+        print(
+            f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
+            f"{report.residual:.1e} arm sizes; {compiled}"
+        )
+        print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
+    return worst
+
+
+def _own(compilation: Compilation) -> list[str]:
+    return [name for name in compilation.files if Path(name).stem == compilation.robot.name]
+
+
+def _check(options: argparse.Namespace) -> int:
+    from dhgen.check import stale  # noqa: PLC0415
+
+    problems = stale(tuple(options.files), options.out)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    if problems:
+        return 1
+    print(f"{options.out}: up to date with {len(options.files)} robot files")
+    return 0
+
+
+def _explain(options: argparse.Namespace) -> int:
+    from dhgen.program.text import program_text  # noqa: PLC0415
+    from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
+
+    compilation = _compile(options.file)
+    derivation, program = compilation.derivation, compilation.module.solver
+    if options.alternatives:
+        print(alternatives_text(derivation))
+    elif options.program:
+        print(program_text(program), end="")
+    else:
+        print(derivation_terminal(compilation.robot, derivation, program))
+    return 0

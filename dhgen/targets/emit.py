@@ -1,0 +1,26 @@
+"""All targets at once: the files of a robot by their names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.c import c_files
+from dhgen.targets.python import python_files
+from dhgen.targets.templates import render
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+    from dhgen.robot.robot import Robot
+    from dhgen.targets.module import SolverModule
+
+POSE_HELPERS = {
+    "dhgen_pose.py": "python/dhgen_pose.py.jinja",
+    "dhgen_pose.h": "c/dhgen_pose.h.jinja",
+    "dhgen_pose.c": "c/dhgen_pose.c.jinja",
+}
+
+
+def emit(robot: Robot, derivation: Derivation, module: SolverModule) -> dict[str, str]:
+    """The solver in every language, the derivation, and the pose helpers that all robots share."""
+    helpers = {name: render(template) for name, template in POSE_HELPERS.items()}
+    return {**python_files(module), **c_files(module), **helpers}
