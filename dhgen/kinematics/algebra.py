@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 from sympy.polys.domains import QQ
@@ -33,12 +34,7 @@ class AngleSum:
     @property
     def suffix(self) -> str:
         """What follows c and s in the names: 23, or 2m3 for a difference."""
-        first, *others = self.terms
-        wide = any(joint > 9 for joint, _ in self.terms)
-        text = str(first[0])
-        for joint, sign in others:
-            text += ("m" if sign < 0 else "_" if wide else "") + str(joint)
-        return text
+        return _suffix(self.terms)
 
     @property
     def cosine(self) -> str:
@@ -49,6 +45,16 @@ class AngleSum:
     def sine(self) -> str:
         """Name of its sine."""
         return "s" + self.suffix
+
+
+@cache
+def _suffix(terms: tuple[tuple[int, int], ...]) -> str:
+    (first, _), *others = terms
+    wide = any(joint > 9 for joint, _ in terms)
+    text = str(first)
+    for joint, sign in others:
+        text += ("m" if sign < 0 else "_" if wide else "") + str(joint)
+    return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +95,12 @@ class Algebra:
 
     def lift(self, transform: Transform) -> Transform:
         """A constant transform of the chain as a transform of this ring."""
-        return transform.mapped(lambda entry: entry.set_ring(self.ring))
+        return transform.mapped(self._lifted_entry)
+
+    def _lifted_entry(self, entry: Polynomial) -> Polynomial:
+        """The chain's constants are the last generators of the ring."""
+        before = (0,) * (len(self.ring.gens) - len(self.chain.ring.gens))
+        return self.ring.from_dict({before + powers: number for powers, number in entry.items()})
 
     def lifted(self, elements: tuple[Element, ...]) -> tuple[Element, ...]:
         """Elements of the chain with their constants in this ring."""

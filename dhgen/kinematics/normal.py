@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from sympy.polys.domains import QQ
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from sympy.polys.rings import PolyRing
 
@@ -21,12 +22,16 @@ class NormalForm:
 
     Attributes:
         squares: Generator index and what its square is.
+        exponents: Those of the generators of `squares` out of a monomial.
     """
 
     squares: tuple[tuple[int, Polynomial], ...]
+    exponents: Callable[[tuple[int, ...]], tuple[int, ...]]
 
     def __call__(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial with no generator of `squares` in a power above one."""
+        if max(map(max, map(self.exponents, polynomial)), default=0) <= 1:
+            return polynomial
         for index, square in self.squares:
             if any(monomial[index] > 1 for monomial in polynomial):
                 polynomial = _reduce(polynomial, index, square)
@@ -35,16 +40,20 @@ class NormalForm:
 
 def _reduce(polynomial: Polynomial, index: int, square: Polynomial) -> Polynomial:
     ring = polynomial.ring
-    by_power: dict[int, Polynomial] = {}
-    for monomial, coefficient in polynomial.terms():
+    total, nothing = ring.zero, ring.domain.zero
+    powers: dict[int, Polynomial] = {}
+    for monomial, coefficient in polynomial.items():
         half, rest = divmod(monomial[index], 2)
+        if not half:
+            total[monomial] = total.get(monomial, nothing) + coefficient
+            continue
+        if half not in powers:
+            powers[half] = square**half
         lowered = (*monomial[:index], rest, *monomial[index + 1 :])
-        part = by_power.setdefault(half, ring.zero)
-        part[lowered] = part.get(lowered, ring.domain.zero) + coefficient
-    total = ring.zero
-    for half, part in by_power.items():
-        part.strip_zero()
-        total += part * square**half if half else part
+        for factor, number in powers[half].items():
+            product = ring.monomial_mul(lowered, factor)
+            total[product] = total.get(product, nothing) + coefficient * number
+    total.strip_zero()
     return total
 
 
@@ -66,4 +75,7 @@ def normal_form(
         for c in constants
         if c.square is not None
     ]
-    return NormalForm(tuple(squares))
+    # a getter of at least two places gives tuples
+    places = [place for place, _ in squares]
+    exponents = itemgetter(*places, *places) if places else lambda _: (0,)
+    return NormalForm(tuple(squares), exponents)

@@ -6,13 +6,15 @@ parallel axes are written by their representatives, so that c23 with theta2 know
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.knowledge import Knowledge
@@ -39,7 +41,7 @@ class Form:
 
     Attributes:
         equation: Where it comes from.
-        unknowns: At most two, in the order of the joints.
+        unknowns: In the order of the joints, angles first.
         terms: The coefficient of every unknown monomial.
     """
 
@@ -88,128 +90,137 @@ class Form:
         return set(self.terms) <= {tuple(sorted(monomial)) for monomial in allowed}
 
 
+@dataclass(frozen=True, slots=True)
+class _Content:
+    """What an equation holds: places in `Algebra.angles`, and lengths."""
+
+    angles: tuple[int, ...]
+    lengths: tuple[Length, ...]
+
+
 class FormReader:
     """Reads the pool at any state of knowledge."""
 
     def __init__(self, pool: Pool) -> None:
         algebra = pool.problem.algebra
-        self._pool = pool
-        self._angle_of: dict[int, AngleSum] = {}
-        self._slide_of: dict[int, Length] = {}
-        for angle in algebra.angles:
-            self._angle_of[algebra.index[angle.cosine]] = angle
-            self._angle_of[algebra.index[angle.sine]] = angle
-        for joint, name in algebra.slides.items():
-            self._slide_of[algebra.index[name]] = Length(joint, name)
+        self._algebra = algebra
+        self._names = tuple(algebra.index)
+        self._number = {angle: number for number, angle in enumerate(algebra.angles)}
+        self._places = [(algebra.index[a.cosine], algebra.index[a.sine]) for a in algebra.angles]
+        self._lengths = {Length(j, name): algebra.index[name] for j, name in algebra.slides.items()}
+        self._equations = [(equation, self._content(equation)) for equation in pool.equations]
         self._seen: dict[object, Form] = {}
-        self._unknown_places = sorted([*self._angle_of, *self._slide_of])
-        self._used = [
-            frozenset(p for p in self._unknown_places if any(m[p] for m in e.difference))
-            for e in pool.equations
-        ]
+        self._turns: dict[tuple[int, int], tuple[Polynomial, Polynomial]] = {}
 
-    def forms(self, knowledge: Knowledge) -> list[Form]:
-        """Every equation with one or two unknowns, rewritten; in the order of the pool."""
-        names: dict[AngleSum, AngleSum | None] = {}
-        for angle in self._angle_of.values():
-            names[angle] = None if knowledge.knows(angle) else knowledge.representative(angle)
+    def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
+        """Every equation with a few unknowns, rewritten; in the order of the pool.
+
+        Args:
+            knowledge: The state.
+            most: How many unknowns an equation may hold.
+        """
+        names = [self._name(angle, knowledge) for angle in self._algebra.angles]
         found = []
-        for equation, used in zip(self._pool.equations, self._used, strict=True):
-            unknowns = self._unknowns(used, names, knowledge)
-            if 0 < len(unknowns) <= MOST_UNKNOWNS:
-                found.append(self._seen_form(equation, unknowns, used, names, knowledge))
+        for place, (equation, content) in enumerate(self._equations):
+            read = tuple([names[number] for number in content.angles])
+            lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
+            count = len({abs(name) for name in read if name}) + len(lengths)
+            if 0 < count <= most:
+                key = (place, read, lengths)  # states that agree in it see the same form
+                if key not in self._seen:
+                    self._seen[key] = self._form(
+                        equation, content.angles, names, lengths, knowledge
+                    )
+                found.append(self._seen[key])
         return found
 
-    def _seen_form(
-        self,
-        equation: Equation,
-        unknowns: tuple[Unknown, ...],
-        used: frozenset[int],
-        names: Mapping[AngleSum, AngleSum | None],
-        knowledge: Knowledge,
-    ) -> Form:
-        """The form, made once for all states at which the equation looks the same."""
-        angles = tuple(names[self._angle_of[p]] for p in sorted(used) if p in self._angle_of)
-        key = (id(equation), unknowns, angles)
-        if key not in self._seen:
-            self._seen[key] = self._form(equation, unknowns, used, names, knowledge)
-        return self._seen[key]
+    def _content(self, equation: Equation) -> _Content:
+        columns = list(zip(*equation.difference, strict=True))
+        return _Content(
+            tuple(n for n, pair in enumerate(self._places) if any(any(columns[p]) for p in pair)),
+            tuple(sorted(u for u, place in self._lengths.items() if any(columns[place]))),
+        )
 
-    def _unknowns(
-        self,
-        used: frozenset[int],
-        names: Mapping[AngleSum, AngleSum | None],
-        knowledge: Knowledge,
-    ) -> tuple[Unknown, ...]:
-        angles = {names[self._angle_of[p]] for p in used if p in self._angle_of} - {None}
-        slides = {self._slide_of[p] for p in used if p in self._slide_of}
-        open_slides = {slide for slide in slides if slide.joint not in knowledge.slides}
-        return (*sorted(a for a in angles if a), *sorted(open_slides))
+    def _name(self, angle: AngleSum, knowledge: Knowledge) -> int:
+        """0 for a known angle sum, else one for its representative, negative when reversed."""
+        if knowledge.knows(angle):
+            return 0
+        name = 1 + self._number[knowledge.representative(angle)]
+        return name if knowledge.runs_along(angle) else -name
 
     def _form(
         self,
         equation: Equation,
-        unknowns: tuple[Unknown, ...],
-        used: frozenset[int],
-        names: Mapping[AngleSum, AngleSum | None],
+        content: tuple[int, ...],
+        names: Sequence[int],
+        lengths: tuple[Length, ...],
         knowledge: Knowledge,
     ) -> Form:
         """Rewrites where two angle sums stand for one unknown, then collects.
 
-        A lone angle sum stays as the file's frames gave it (theta12, not theta2 with theta1 known):
-        fewer products, and the reader finds the equation as it stands in U_i.
+        A lone angle sum stays as the file's frames gave it (theta12, not theta2 with theta1
+        known): fewer products, and the reader finds the equation as it stands in U_i.
         """
         difference = equation.difference
-        in_use = {self._angle_of[p] for p in used if p in self._angle_of}
-        open_angles = sorted(a for a in in_use if names[a] is not None)
-        crowded = {
-            names[a] for a in open_angles if sum(names[b] == names[a] for b in open_angles) > 1
-        }
-        final: list[Unknown] = [u for u in unknowns if isinstance(u, Length)]
-        for angle in open_angles:
-            if names[angle] in crowded:
-                difference = self._rewrite(difference, angle, knowledge)
-        kept = {names[a] if names[a] in crowded else a for a in open_angles}
-        angles = sorted(a for a in kept if a is not None)
-        places = {
-            p
-            for p in self._unknown_places
-            if (p in self._angle_of and names[self._angle_of[p]] is not None)
-            or (p in self._slide_of and self._slide_of[p].joint not in knowledge.slides)
-        }
-        terms = _collect(difference, sorted(places))
-        return Form(equation, (*angles, *final), terms)
+        open_angles = [number for number in content if names[number]]
+        count = Counter(abs(names[number]) for number in open_angles)
+        kept = set()
+        for number in open_angles:
+            name = abs(names[number])
+            kept.add(number if count[name] == 1 else name - 1)
+            if count[name] > 1 and number != name - 1:
+                change = self._rewritten(number, names[number], knowledge)
+                difference = substitute(difference, self._places[number], change)
+                difference = self._algebra.normal(difference)
+        angles = sorted(self._algebra.angles[number] for number in kept)
+        places = [place for number in kept for place in self._places[number]]
+        places += [self._lengths[length] for length in lengths]
+        terms = self._collected(difference, sorted(places))
+        return Form(equation, (*angles, *lengths), terms)
 
-    def _rewrite(self, polynomial: Polynomial, angle: AngleSum, knowledge: Knowledge) -> Polynomial:
-        algebra = self._pool.problem.algebra
-        if knowledge.representative(angle) == angle:
-            return polynomial
-        cosine, sine = knowledge.rewritten(angle)
-        change = {algebra.index[angle.cosine]: cosine, algebra.index[angle.sine]: sine}
-        return algebra.normal(substitute(polynomial, change))
+    def _rewritten(
+        self, number: int, name: int, knowledge: Knowledge
+    ) -> tuple[Polynomial, Polynomial]:
+        """Cosine and sine of an angle sum by its representative; all states with it agree."""
+        if (number, name) not in self._turns:
+            self._turns[number, name] = knowledge.rewritten(self._algebra.angles[number])
+        return self._turns[number, name]
+
+    def _collected(
+        self, polynomial: Polynomial, places: Sequence[int]
+    ) -> dict[Monomial, Polynomial]:
+        """The coefficient of every monomial in the generators at some places."""
+        names = [self._names[place] for place in places]
+        collected = {}
+        for exponents, part in _split(polynomial, places).items():
+            powers = ([name] * exponent for name, exponent in zip(names, exponents, strict=True))
+            collected[tuple(sorted(chain.from_iterable(powers)))] = part
+        return collected
 
 
-def substitute(polynomial: Polynomial, change: Mapping[int, Polynomial]) -> Polynomial:
-    """The polynomial with some generators replaced."""
+def substitute(
+    polynomial: Polynomial, places: Sequence[int], values: Sequence[Polynomial]
+) -> Polynomial:
+    """The polynomial with the generators at some places replaced."""
     ring = polynomial.ring
     total = ring.zero
-    for monomial, coefficient in polynomial.terms():
-        rest = tuple(0 if place in change else e for place, e in enumerate(monomial))
-        part = ring.from_dict({rest: coefficient})
-        for place, value in change.items():
-            if monomial[place]:
-                part = part * value ** monomial[place]
+    for exponents, rest in _split(polynomial, places).items():
+        part = rest
+        for value, exponent in zip(values, exponents, strict=True):
+            if exponent:
+                part = part * value**exponent
         total += part
     return total
 
 
-def _collect(polynomial: Polynomial, places: list[int]) -> dict[Monomial, Polynomial]:
+def _split(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, ...], Polynomial]:
+    """A polynomial by the exponents of the generators at some places."""
     ring = polynomial.ring
-    names = {place: str(ring.symbols[place]) for place in places}
-    grouped: dict[Monomial, dict[tuple[int, ...], object]] = {}
-    unknown = set(places)
-    for monomial, coefficient in polynomial.terms():
-        key = tuple(sorted(names[place] for place in places for _ in range(monomial[place])))
-        rest = tuple(0 if place in unknown else e for place, e in enumerate(monomial))
-        grouped.setdefault(key, {})[rest] = coefficient
-    return {key: ring.from_dict(group) for key, group in grouped.items()}
+    parts: dict[tuple[int, ...], Polynomial] = {}
+    for monomial, coefficient in polynomial.items():
+        exponents = tuple([monomial[place] for place in places])
+        rest = list(monomial)
+        for place in places:
+            rest[place] = 0
+        parts.setdefault(exponents, ring.zero)[tuple(rest)] = coefficient
+    return parts

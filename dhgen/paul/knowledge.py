@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
 
 Cut = tuple[int, int]  # (run, position in the run)
+State = tuple[tuple[tuple[int, ...], ...], frozenset[int]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +85,11 @@ class Knowledge:
     components: tuple[tuple[int, ...], ...]
     slides: frozenset[int]
 
+    @property
+    def state(self) -> State:
+        """What is known, as a key: two values that agree in it are the same knowledge."""
+        return self.components, self.slides
+
     def component(self, cut: Cut) -> tuple[int, int]:
         """Which cuts are connected with this one."""
         return cut[0], self.components[cut[0]][cut[1]]
@@ -114,6 +120,12 @@ class Knowledge:
         return turned and self.slides >= set(self.runs.algebra.slides)
 
     @property
+    def missing(self) -> int:
+        """How many angles and lengths have yet to be found."""
+        turns = sum(len(set(row)) - 1 for row in self.components)
+        return turns + len(self.runs.algebra.slides.keys() - self.slides)
+
+    @property
     def open_joints(self) -> tuple[int, ...]:
         """The joints that are not known yet."""
         turned = [
@@ -139,6 +151,12 @@ class Knowledge:
         _, low, high = pairs[0]
         return self.runs.between((run, low), (run, high))[0]
 
+    def runs_along(self, angle: AngleSum) -> bool:
+        """Whether an unknown angle sum begins with the cut its representative begins with."""
+        start, _, _ = self.runs.ends(angle)
+        low, _, _ = self.runs.ends(self.representative(angle))
+        return self.component(start) == self.component(low)
+
     def rewritten(self, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
         """Cosine and sine of an unknown angle sum by those of its representative."""
         shortest = self.representative(angle)
@@ -148,8 +166,7 @@ class Knowledge:
             return cosine, sine
         start, end, sign = self.runs.ends(angle)
         low, high, facing = self.runs.ends(shortest)
-        along = self.component(start) == self.component(low)
-        if not along:
+        if not self.runs_along(angle):
             start, end, sign = end, start, -sign
         # angle = sign * turn(start, end), turn(start, end) = turn(start, low) + turn(low, high)
         # + turn(high, end), of which the middle one is facing * representative

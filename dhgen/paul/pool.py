@@ -8,6 +8,7 @@ where a wrist has no common centre (UR5).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import product as product_of
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
@@ -15,12 +16,13 @@ from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, compose, dot
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.problem import Problem
 
 Vector = tuple["Polynomial", "Polynomial", "Polynomial"]
+Line = tuple[int, int, str, int]  # m, k, "row" or "column", its number
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -64,6 +66,36 @@ class Equation:
     left: Polynomial
     right: Polynomial
     difference: Polynomial
+
+    @property
+    def lines(self) -> frozenset[Line]:
+        """The columns and rows in which the equation stands."""
+        columns = {(o.m, o.k, "column", o.column) for o in self.origins if o.row}
+        return frozenset(columns | {(o.m, o.k, "row", o.row) for o in self.origins if o.row})
+
+
+def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
+    """Where equations stand side by side: one element each, in one column or row of one form.
+
+    Empty when there is no such line. Paul's U_m come before mixed forms, and among them those
+    with the fewest joints moved.
+    """
+    places = product_of(*(equation.origins for equation in equations))
+    return min(filter(_in_line, places), key=_readability, default=())
+
+
+def _in_line(origins: tuple[Origin, ...]) -> bool:
+    if len(origins) == 1:
+        return True
+    one_form = len({(origin.m, origin.k) for origin in origins}) == 1
+    one_column = len({origin.column for origin in origins}) == 1
+    one_row = len({origin.row for origin in origins}) == 1
+    return one_form and (one_column or one_row) and all(origin.row for origin in origins)
+
+
+def _readability(origins: tuple[Origin, ...]) -> tuple[bool, int, int]:
+    first = origins[0]
+    return first.is_mixed, first.m, -first.k
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from itertools import combinations, count
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import FormReader
+from dhgen.paul.forms import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.step import View
 from dhgen.paul.types import TYPES
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from dhgen.paul.forms import Form, Unknown
-    from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import Step
 
@@ -48,10 +48,11 @@ class Search:
 
     def __init__(self, pool: Pool) -> None:
         self._reader = FormReader(pool)
-        self._witnesses = build_witnesses(pool)
         self._start = initial_knowledge(pool.problem.algebra)
-        self._offers: dict[Knowledge, tuple[Step, ...]] = {}
+        self._view = View(self._start, build_witnesses(pool))
+        self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
+        self._lines = {id(equation): equation.lines for equation in pool.equations}
         self.deepest: Knowledge = self._start
 
     def routes(self) -> Iterator[Route]:
@@ -59,30 +60,30 @@ class Search:
         tie = count()
         start: tuple[int, int, Knowledge, tuple[Step, ...]] = (0, next(tie), self._start, ())
         queue = [start]
-        closed: set[object] = set()
+        closed: set[State] = set()
         while queue:
             cost, _, knowledge, steps = heapq.heappop(queue)
-            key = (knowledge.components, knowledge.slides)
             if knowledge.complete:
                 yield self._route(steps)
                 continue
-            if key in closed:
+            if knowledge.state in closed:
                 continue
-            closed.add(key)
-            self.deepest = knowledge
+            closed.add(knowledge.state)
+            if knowledge.missing < self.deepest.missing:
+                self.deepest = knowledge
             for step in self.offers(knowledge):
                 price = cost + step.penalty + DOUBLING * (step.roots - 1)
                 heapq.heappush(queue, (price, next(tie), learn(knowledge, step), (*steps, step)))
 
     def offers(self, knowledge: Knowledge) -> tuple[Step, ...]:
         """The steps that a state allows, cheapest first."""
-        view = View(knowledge, self._witnesses)
-        forms = self._reader.forms(knowledge)
-        groups: list[tuple[Form, ...]] = [(form,) for form in forms if len(form.unknowns) == 1]
-        groups += _pairs(forms)
-        found = [step for group in groups for step in self._steps(group, view)]
-        found.sort(key=lambda step: (step.roots, step.penalty))
-        return tuple(found)
+        if knowledge.state not in self._offers:
+            view = self._view.in_state(knowledge)
+            groups = self.groups(self._reader.forms(knowledge))
+            found = [step for group in groups for step in self._steps(group, view)]
+            found.sort(key=lambda step: (step.roots, step.penalty))
+            self._offers[knowledge.state] = tuple(found)
+        return self._offers[knowledge.state]
 
     def _steps(self, group: tuple[Form, ...], view: View) -> tuple[Step, ...]:
         """What equations give; the same forms at another state give the same."""
@@ -96,9 +97,25 @@ class Search:
             )
         return self._steps_of[key]
 
-    def forms(self, knowledge: Knowledge) -> list[Form]:
-        """The equations of a state, for explanations."""
-        return self._reader.forms(knowledge)
+    def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
+        """The equations of a state with at most so many unknowns, for explanations."""
+        return self._reader.forms(knowledge, most)
+
+    def view(self, knowledge: Knowledge) -> View:
+        """What types look at in a state."""
+        return self._view.in_state(knowledge)
+
+    def groups(self, forms: list[Form]) -> list[tuple[Form, ...]]:
+        """What types are tried on: forms with one unknown, and pairs from one column or row."""
+        by_unknowns: dict[tuple[Unknown, ...], list[Form]] = {}
+        for form in forms:
+            by_unknowns.setdefault(form.unknowns, []).append(form)
+        groups: list[tuple[Form, ...]] = [(form,) for form in forms if len(form.unknowns) == 1]
+        for alike in by_unknowns.values():
+            for first, second in combinations(alike, 2):
+                if not self._lines[id(first.equation)].isdisjoint(self._lines[id(second.equation)]):
+                    groups += [(first, second), (second, first)]
+        return groups
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start
@@ -117,27 +134,3 @@ def learn(knowledge: Knowledge, step: Step) -> Knowledge:
         else:
             knowledge = knowledge.with_slide(unknown.joint)
     return knowledge
-
-
-def _pairs(forms: list[Form]) -> Iterator[tuple[Form, ...]]:
-    """Ordered pairs from one column or one row of one matrix."""
-    by_unknowns: dict[tuple[Unknown, ...], list[Form]] = {}
-    for form in forms:
-        by_unknowns.setdefault(form.unknowns, []).append(form)
-    for group in by_unknowns.values():
-        for first, second in combinations(group, 2):
-            if _side_by_side(first, second):
-                yield first, second
-                yield second, first
-
-
-def _side_by_side(first: Form, second: Form) -> bool:
-    return any(
-        one.m == other.m
-        and one.k == other.k
-        and one.row
-        and other.row
-        and (one.column == other.column or one.row == other.row)
-        for one in first.equation.origins
-        for other in second.equation.origins
-    )

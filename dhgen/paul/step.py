@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Protocol
+
+from dhgen.paul.pool import common_origins
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -12,6 +14,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.pool import Origin
     from dhgen.paul.witness import Witnesses
 
 
@@ -52,6 +55,12 @@ class Step:
     roots: int
     penalty: int
 
+    @property
+    def origins(self) -> tuple[Origin, ...]:
+        """Where a reader finds the forms, one place each: in one line of one matrix if possible."""
+        equations = [form.equation for form in self.forms]
+        return common_origins(equations) or tuple(each.origin for each in equations)
+
     def coefficient(self, letter: str) -> Polynomial:
         """The polynomial behind one of the type's letters."""
         return dict(self.coefficients)[letter]
@@ -63,10 +72,21 @@ class View:
 
     knowledge: Knowledge
     witnesses: Witnesses
+    _squares: dict[tuple[Polynomial, Polynomial], Polynomial] = field(default_factory=dict)
 
     def is_constant(self, polynomial: Polynomial) -> bool:
         """Whether a coefficient is made of the arm's lengths alone."""
         return self.knowledge.runs.algebra.is_constant(polynomial)
+
+    def squared_size(self, x: Polynomial, y: Polynomial) -> Polynomial:
+        """x^2 + y^2 in normal form, multiplied out once."""
+        if (x, y) not in self._squares:
+            self._squares[x, y] = self.knowledge.runs.algebra.normal(x * x + y * y)
+        return self._squares[x, y]
+
+    def in_state(self, knowledge: Knowledge) -> View:
+        """The same in another state; what was multiplied out stays known."""
+        return View(knowledge, self.witnesses, self._squares)
 
 
 def placing(form: Form) -> int:

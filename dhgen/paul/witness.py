@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 COUNT = 4
+OWN_LENGTHS = slice(0, COUNT, 2)  # witnesses with the arm's own lengths
 RIGHT_ANGLES = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))  # cosine and sine
 VANISHING = 1e-9  # of the sum of the sizes of a polynomial's terms
 
@@ -41,10 +42,13 @@ class Witnesses:
     algebra: Algebra
     values: Values
     _seen: dict[Polynomial, bool] = field(default_factory=dict)
+    _values: dict[Polynomial, Values] = field(default_factory=dict)
 
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
-        return np.asarray(np.sum(_terms(polynomial, self.values), axis=0))
+        if polynomial not in self._values:
+            self._values[polynomial] = np.sum(_terms(polynomial, self.values), axis=0)
+        return self._values[polynomial]
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""
@@ -56,6 +60,16 @@ class Witnesses:
             small = np.abs(np.sum(terms, axis=0)) <= VANISHING * sizes
             self._seen[polynomial] = bool(np.any(small))
         return self._seen[polynomial]
+
+    def varies(self, values: Values, sizes: Values) -> bool:
+        """Whether a value is surely not made of the arm's lengths alone.
+
+        Args:
+            values: On every witness, shape (COUNT,).
+            sizes: Of the terms that it is the sum of, shape (COUNT,).
+        """
+        own = values[OWN_LENGTHS]
+        return bool(np.ptp(own) > VANISHING * np.max(sizes[OWN_LENGTHS]))
 
     def stays_positive(self, polynomial: Polynomial) -> bool:
         """Whether a sum of squares in cosines, sines and lengths is nowhere zero at right angles.
@@ -84,13 +98,11 @@ class Witnesses:
 
 def _terms(polynomial: Polynomial, values: Values) -> Values:
     """Every term on every column of `values`, shape (terms, columns)."""
-    terms = np.empty((len(polynomial), values.shape[1]))
-    for number, (monomial, coefficient) in enumerate(polynomial.items()):
-        terms[number] = int(coefficient.numerator) / int(coefficient.denominator)
-        for place, exponent in enumerate(monomial):
-            if exponent:
-                terms[number] *= values[place] ** exponent
-    return terms
+    exponents = np.array(list(polynomial), dtype=np.int64).reshape(-1, len(values))
+    factors = [int(c.numerator) / int(c.denominator) for c in polynomial.values()]
+    used = np.flatnonzero(exponents.any(axis=0))
+    powers = values[used] ** exponents[:, used, None]
+    return np.asarray(np.array(factors)[:, None] * powers.prod(axis=1))
 
 
 def build_witnesses(pool: Pool) -> Witnesses:
@@ -99,7 +111,8 @@ def build_witnesses(pool: Pool) -> Witnesses:
     source = random.Random(20)  # noqa: S311 - configurations, not secrets
     values = np.zeros((len(algebra.ring.gens), COUNT))
     for column in range(COUNT):
-        named = _lengths(algebra, source, own=column % 2 == 0) | _joints(algebra, source)
+        own = column in range(COUNT)[OWN_LENGTHS]
+        named = _lengths(algebra, source, own=own) | _joints(algebra, source)
         for name, value in named.items():
             values[algebra.index[name], column] = value
     witnesses = Witnesses(algebra, values)

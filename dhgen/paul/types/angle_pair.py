@@ -20,6 +20,8 @@ CONSTANT_DETERMINANT = 20
 TRIANGLE = 30  # the determinant is a distance that only an arm with equal links can fold to zero
 MAY_VANISH = 300  # both equations may vanish although a third one would decide
 
+MAY_VANISH_REASON = "the determinant X1 Y2 - X2 Y1 may vanish where the angle is not free"
+
 
 class AnglePair:
     """Type 3, one value.
@@ -36,11 +38,13 @@ class AnglePair:
         read = _read(forms)
         if isinstance(read, str):
             return read
+        if not read.is_turned and read.determinant_varies(view):
+            return MAY_VANISH_REASON
         determinant = read.determinant(view)
         if view.witnesses.vanishes(determinant):
             return "the determinant X1 Y2 - X2 Y1 vanishes"
         if not (view.is_constant(determinant) or read.is_turned):
-            return "the determinant X1 Y2 - X2 Y1 may vanish where the angle is not free"
+            return MAY_VANISH_REASON
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
@@ -75,7 +79,16 @@ class _Factors:
 
     def determinant(self, view: View) -> Polynomial:
         """X1 Y2 - X2 Y1."""
+        if self.is_turned:
+            square = view.squared_size(self.x1, self.y1)
+            return square if (self.x2, self.y2) == (-self.y1, self.x1) else -square
         return view.knowledge.runs.algebra.normal(self.x1 * self.y2 - self.y1 * self.x2)
+
+    def determinant_varies(self, view: View) -> bool:
+        """Whether the determinant is surely no constant, told without multiplying it out."""
+        x1, y1, x2, y2 = map(view.witnesses.evaluate, (self.x1, self.y1, self.x2, self.y2))
+        left, right = x1 * y2, x2 * y1
+        return view.witnesses.varies(left - right, abs(left) + abs(right))
 
     @property
     def is_turned(self) -> bool:

@@ -153,11 +153,6 @@ def _kind(v: Turned, w: Turned, difference: tuple[AngleSum, int] | None) -> Kind
     return Kind.TWO_ANGLES if any(straight) else Kind.TWO_ANGLES_TURNED
 
 
-def _square(vector: Turned, view: View) -> Polynomial:
-    normal = view.knowledge.runs.algebra.normal
-    return normal(vector.re * vector.re + vector.im * vector.im)
-
-
 def _by_difference(
     vectors: _Vectors, difference: tuple[AngleSum, int], kind: Kind, view: View
 ) -> Step:
@@ -166,7 +161,7 @@ def _by_difference(
     v, w, (angle, sign) = vectors.v, vectors.w, difference
     re = normal(2 * (v.re * w.re + v.im * w.im))
     im = normal(2 * (v.im * w.re - v.re * w.im))
-    rest = _square(v, view) + _square(w, view)
+    rest = view.squared_size(v.re, v.im) + view.squared_size(w.re, w.im)
     letters = (*vectors.letters, ("X", -im * sign), ("Y", re), ("N", rest))
     penalty = BY_DIFFERENCE + placing(vectors.forms[0])
     if not (view.is_constant(re) and view.is_constant(im)):
@@ -178,8 +173,9 @@ def _by_difference(
 
 def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
     """2 Re(v exp(i p) conj(Z)) = |Z|^2 + |v|^2 - |w|^2."""
-    rest = _square(vectors.v, view) - _square(vectors.w, view)
+    v, w = vectors.v, vectors.w
+    rest = view.squared_size(v.re, v.im) - view.squared_size(w.re, w.im)
     length = sum(len(part) for part in vectors.known)
     penalty = BY_ELIMINATION + placing(vectors.forms[0]) + length
     letters = (*vectors.letters, ("N", rest))
-    return Step(kind, (vectors.v.angle,), vectors.forms, letters, 2, penalty)
+    return Step(kind, (v.angle,), vectors.forms, letters, 2, penalty)
