@@ -73,10 +73,15 @@ class C:
 
     def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
         """Notes the joint that was chosen and by how much the branch then failed."""
-        joint = "0"
+        lines = []
         for number, name in flags:
-            joint = f"{name} ? {number} : {joint}" if joint == "0" else f"{name} ? {number} : ({joint})"
-        return [f"lost[{row}] = {joint};", f"shortfall[{row}] = {margin};"]
+            lines += [
+                f"if ({name}) {{",
+                f"    status[{row}] = LOST + {number};",
+                f"    q[{row}][0] = {margin};",
+                "}",
+            ]
+        return lines
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign."""
@@ -107,6 +112,16 @@ class C:
         return wrapped(line, indent)
 
 
+def _assignments(array: str, entries: list[str], columns: int) -> list[str]:
+    """A matrix, one of its rows after another, as statements of one line or more."""
+    lines: list[str] = []
+    for start in range(0, len(entries), columns):
+        row = entries[start : start + columns]
+        text = " ".join(f"{array}[{start + place}] = {entry};" for place, entry in enumerate(row))
+        lines += wrapped(f"    {text}", "    ", "")
+    return lines
+
+
 def _free_texts(module: SolverModule) -> dict[str, str]:
     """The parameter for free joints, where there are any, with its comma."""
     count = len(module.chain.free)
@@ -124,14 +139,15 @@ def _free_texts(module: SolverModule) -> dict[str, str]:
 def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
     language = C()
+    dof = module.chain.dof
     values = module_values(module) | {
         **_free_texts(module),
         "revolute_flags": ", ".join("1" if kind == "R" else "0" for kind in joint_types(module)),
         "solver": solver_lines(module.solver, language, "    "),
         "forward": straight_lines(module.forward, language, "    "),
-        "forward_entries": output_texts(module.forward, language),
+        "forward_rows": _assignments("T", output_texts(module.forward, language), 4),
         "jacobian": straight_lines(module.jacobian, language, "    "),
-        "jacobian_entries": output_texts(module.jacobian, language),
+        "jacobian_rows": _assignments("J", output_texts(module.jacobian, language), dof),
     }
     return {
         f"{module.name}.h": render("c/solver.h.jinja", **values),

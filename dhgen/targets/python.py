@@ -72,10 +72,14 @@ class Python:
 
     def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
         """Notes the joint that was chosen and by how much the branch then failed."""
-        joint = "0"
+        lines = []
         for number, name in flags:
-            joint = f"{number} if {name} else {joint}"
-        return [f"lost[{row}] = {joint}", f"shortfall[{row}] = {margin}"]
+            lines += [
+                f"if {name}:",
+                f"    status[{row}] = _LOST + {number}",
+                f"    q[{row}, 0] = {margin}",
+            ]
+        return lines
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign."""
