@@ -1,0 +1,143 @@
+"""What the templates of the general algorithm are filled in with: finished strings."""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+from typing import TYPE_CHECKING
+
+from dhgen.general import circle, reference
+from dhgen.general.determinant import TINY
+from dhgen.general.digits import HALF_CELLS, arctangent, grid, harmonics
+from dhgen.targets.templates import render
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from dhgen.general.formulation import Formulation
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.rigid import Matrix
+
+PADDED = 168  # 162 rows, to a multiple of eight
+PADDED_RIGHT = 128  # 126
+LEFT_ROW = 32  # 27
+ROOTS = 24  # more than 16 come from rounding
+CANDIDATES = 96
+
+
+def c_source(kernel: GeneralKernel, name: str) -> str:
+    """The static functions of `<name>_general` in C99; they need <math.h>."""
+    return render("c/general6r.c.jinja", p=name, P=name.upper(), t=values(kernel))
+
+
+def python_source(kernel: GeneralKernel, name: str) -> str:
+    """The function `<name>_general` in Python; it needs numba and numpy."""
+    return render("python/general6r.py.jinja", p=name, P=name.upper(), t=values(kernel))
+
+
+def values(kernel: GeneralKernel) -> dict[str, object]:
+    """The constants of an arm and of the algorithm, as text."""
+    loop = kernel.loop
+    grid_c, grid_s = grid()
+    return {
+        "left": _numbers(_rows(loop.left)),
+        "right": _numbers(_rows(loop.right)),
+        "links": [_numbers(_rows(K)) for K in loop.links],
+        "per_size": repr(1.0 / loop.size),
+        "nudges": [_numbers(_rows(nudge)) for nudge in _nudges()],
+        "formulations": [_formulation(f) for f in kernel.formulations],
+        "sample_c": _numbers(circle.sample_cosines()[0]),
+        "sample_s": _numbers(circle.sample_cosines()[1]),
+        "harmonics": [_numbers(row) for row in harmonics()],
+        "grid_c": [_numbers(row) for row in grid_c],
+        "grid_s": [_numbers(row) for row in grid_s],
+        "padded": PADDED,
+        "padded_right": PADDED_RIGHT,
+        "roots": ROOTS,
+        "candidates": CANDIDATES,
+        **_tolerances(),
+    }
+
+
+def _tolerances() -> dict[str, object]:
+    return {
+        "arctangent": _numbers(arctangent()),
+        "tangent": repr(sqrt(2.0) - 1.0),
+        "pi": repr(pi),
+        "half": repr(pi / 2),
+        "quarter": repr(pi / 4),
+        "almost_pi": repr(pi - 1e-14),
+        "tiny": repr(TINY),
+        "cells": circle.CELLS,
+        "half_cells": HALF_CELLS,
+        "width": repr(circle.WIDTH),
+        "deepest": circle.DEEPEST,
+        "between": 4 * circle.NEWTON_STEPS,
+        "quintic": repr(circle.QUINTIC),
+        "rounding": repr(circle.ROUNDING),
+        "noise_factor": repr(circle.NOISE_FACTOR),
+        "noise": repr(reference.NOISE),
+        "residual": repr(reference.RESIDUAL),
+        "same": repr(reference.SAME),
+        # the square of the sum of two unit vectors that are this close
+        "close": repr(4.0 - reference.CLOSE**2),
+        "steps": reference.STEPS,
+        "steps_from_afar": reference.STEPS_FROM_AFAR,
+        "batches": 8,
+        "tie": repr(1e-9),
+        "rank": repr(1e-9),
+        "good_enough": repr(1e-29),
+        "smallest": repr(1e-15),
+        "plane": repr(1e-24),
+        # anything that no null vector is orthogonal to
+        "start": _numbers((0.61, -0.37, 0.53, 0.29, 0.71, -0.43)),
+        "start_2": _numbers((-0.31, 0.47, 0.59, 0.67, -0.23, 0.41)),
+    }
+
+
+def _numbers(numbers: Iterable[float]) -> list[str]:
+    return [repr(x) for x in numbers]
+
+
+def _rows(K: Matrix | None) -> list[float]:
+    """The upper three rows; nothing for the pose."""
+    return [0.0] * 12 if K is None else [x for row in K[:3] for x in row]
+
+
+def _formulation(f: Formulation) -> dict[str, object]:
+    height = PADDED_RIGHT if f.splits_each_pose else PADDED
+    columns: Sequence[Sequence[float]] = tuple(zip(*f.table, strict=True))
+    features = tuple(zip(*f.left, strict=True)) if f.left else ()
+    return {
+        "joints": [str(joint) for joint in f.joints],
+        "sign": repr(float(f.sign)),
+        "inverted": int((f.sign > 0) != f.splits_each_pose),
+        "pose": f.pose,
+        "each_pose": int(f.splits_each_pose),
+        "links": [_numbers(_rows(K)) for K in f.links],
+        "table": [_numbers(_padded(column, height)) for column in columns],
+        "left": [_numbers(_padded(row, LEFT_ROW)) for row in features],
+    }
+
+
+def _padded(row: Sequence[float], length: int) -> list[float]:
+    return [*row, *[0.0] * (length - len(row))]
+
+
+def _nudges() -> tuple[Matrix, ...]:
+    """Two small motions: the quaternion (1, v) to length one, and a translation."""
+    small = reference.NUDGE
+    return (
+        _motion((0.41 * small, -0.37 * small, 0.29 * small), (0.53 * small, 0.71 * small, -0.47 * small)),
+        _motion((-0.23 * small, 0.43 * small, 0.31 * small), (-0.61 * small, 0.29 * small, 0.67 * small)),
+    )
+
+
+def _motion(v: tuple[float, float, float], t: tuple[float, float, float]) -> Matrix:
+    x, y, z = v
+    n = 1.0 + x * x + y * y + z * z
+    return (
+        (1 - 2 * (y * y + z * z) / n, 2 * (x * y - z) / n, 2 * (x * z + y) / n, t[0]),
+        (2 * (x * y + z) / n, 1 - 2 * (x * x + z * z) / n, 2 * (y * z - x) / n, t[1]),
+        (2 * (x * z - y) / n, 2 * (y * z + x) / n, 1 - 2 * (x * x + y * y) / n, t[2]),
+        (0.0, 0.0, 0.0, 1.0),
+    )
