@@ -1,4 +1,4 @@
-"""The forward model in floating point, straight from the chain: what emitted code is measured against."""
+"""The forward model in floating point, from the chain: what emitted code is measured against."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """What the two values of a step are called: the words of BRANCHES and of the solution tree.
 
-The words name the sign, by the part of the arm that the step places: shoulder (left, right), elbow (down,
-up), wrist (noflip, flip), a slide (forward, backward). Which of the two looks like its name depends
-on how the arm is mounted; what a row means never changes.
+The words name the sign, by the part of the arm that the step places: shoulder (left, right),
+elbow (down, up), wrist (noflip, flip), a slide (forward, backward). Which of the two looks like
+its name depends on how the arm is mounted; what a row means never changes.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
+from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
 
 if TYPE_CHECKING:
@@ -56,10 +57,4 @@ def derive(chain: Chain) -> Derivation:
     search = Search(pool)
     for route in search.routes():
         return Derivation(pool, route.steps, route.alternatives)
-    raise UnsolvedError(_refusal(search))
-
-
-def _refusal(search: Search) -> str:
-    open_joints = search.deepest.open_joints
-    names = ", ".join(str(joint) for joint in open_joints)
-    return f"no order of equations gives joints {names}"
+    raise UnsolvedError(refusal(search, chain))

@@ -48,6 +48,17 @@ class Origin:
         """Whether joints were moved from the right too, which Paul's U_m do not do."""
         return self.k < self.dof
 
+    @property
+    def name(self) -> str:
+        """How a message calls the place: U2[3, 4], or U1 (A5 A6)^-1 [3, 4] for a mixed form."""
+        matrix = f"U{self.m}"
+        if self.is_mixed:
+            moved = " ".join(f"A{joint}" for joint in range(self.k + 1, self.dof + 1))
+            matrix += f" ({moved})^-1 " if self.k + 1 < self.dof else f" {moved}^-1 "
+        if self.row == 0:
+            return f"the squared length of column 4 of {matrix.rstrip()}"
+        return f"{matrix}[{self.row}, {self.column}]"
+
 
 @dataclass(frozen=True, slots=True)
 class Equation:

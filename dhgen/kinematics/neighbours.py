@@ -1,0 +1,91 @@
+"""How three consecutive revolute axes lie to each other: parallel, concurrent, or nearly so.
+
+Twists, link lengths and joint offsets do not depend on the configuration, so one is enough. Three
+parallel or three concurrent axes are what makes a closed form (document 000; Pieper 1968).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.numeric import numeric_arm
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+
+    Array = NDArray[np.float64]
+
+EXACT = 1e-9  # [rad, or arm sizes] rounding
+
+
+@dataclass(frozen=True, slots=True)
+class Triple:
+    """Three consecutive revolute axes.
+
+    Attributes:
+        joints: Their numbers.
+        tilt: The larger angle between neighbours, 0 when all are parallel [rad].
+        miss: The largest of the distances between neighbours and between the two feet on the
+            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours.
+    """
+
+    joints: tuple[int, int, int]
+    tilt: float
+    miss: float
+
+
+def axis_triples(chain: Chain) -> tuple[Triple, ...]:
+    """All triples of consecutive revolute joints without a given one."""
+    axes = {j: axis for j, axis in _axes(chain).items() if j not in chain.free}
+    return tuple(
+        Triple(
+            (joint - 1, joint, joint + 1),
+            max(_tilt(axes[joint], axes[other]) for other in (joint - 1, joint + 1)),
+            _miss(axes[joint - 1], axes[joint], axes[joint + 1]),
+        )
+        for joint in axes
+        if joint - 1 in axes and joint + 1 in axes
+    )
+
+
+def _axes(chain: Chain) -> dict[int, tuple[Array, Array]]:
+    """Point and direction of every revolute axis, all angles and lengths zero."""
+    reached = np.eye(4)
+    axes = {}
+    for element in numeric_arm(chain).elements:
+        if not isinstance(element, tuple):
+            reached = reached @ element
+            continue
+        joint, turns = element
+        if turns:
+            axes[joint] = (reached[:3, 3], reached[:3, 2])
+    return axes
+
+
+def _tilt(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
+    sine = np.linalg.norm(np.cross(one[1], other[1]))
+    return float(np.arctan2(sine, abs(one[1] @ other[1])))
+
+
+def _miss(
+    before: tuple[Array, Array], middle: tuple[Array, Array], after: tuple[Array, Array]
+) -> float:
+    if min(_tilt(middle, before), _tilt(middle, after)) < EXACT:
+        return float("inf")
+    (near, foot), (far, other_foot) = _common_normal(middle, before), _common_normal(middle, after)
+    return max(near, far, abs(foot - other_foot))
+
+
+def _common_normal(axis: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, float]:
+    """Distance of two axes, and where along the first one their common normal stands."""
+    (point, direction), (other_point, other_direction) = axis, other
+    normal = np.cross(direction, other_direction)
+    between = other_point - point
+    squared = normal @ normal
+    along = np.cross(between, other_direction) @ normal / squared
+    return float(abs(between @ normal) / np.sqrt(squared)), float(along)

@@ -1,0 +1,130 @@
+"""What is said when no order of equations solves an arm: how far it went, what stood in the way."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.paul.problem import task_dimension
+from dhgen.paul.types import TYPES
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.neighbours import Triple
+    from dhgen.paul.forms import Form, Unknown
+    from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.search import Search
+    from dhgen.paul.step import EquationType, View
+
+MOST_GROUPS = 3
+MOST_REASONS = 5  # lines for one group
+PLACES_SHOWN = 3
+NO_PAIR = "no two of these stand in one column or row"
+NEARLY_PARALLEL = math.radians(5.0)
+NEARLY_CONCURRENT = 0.15  # of the arm's size
+
+
+def refusal(search: Search, chain: Chain) -> str:
+    """Why an arm is not solved, in at most 25 lines."""
+    state = search.deepest
+    open_joints = ", ".join(map(str, state.open_joints))
+    lines = [
+        f"no order of equations makes every joint known: {open_joints} stay unknown",
+        *_surplus(chain),
+        *_nearest(search, state),
+        *_geometry(chain),
+    ]
+    return "\n".join(lines)
+
+
+def unknown_name(unknown: Unknown) -> str:
+    """How a message calls an angle sum or a length."""
+    return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
+
+
+def _surplus(chain: Chain) -> list[str]:
+    joints, numbers = chain.dof - len(chain.free), task_dimension(chain.task)
+    if joints <= numbers:
+        return []
+    given = f"{joints - numbers} of them under `free`"
+    return [f"the task gives {numbers} numbers for {joints} joints: name {given}"]
+
+
+def _nearest(search: Search, state: Knowledge) -> list[str]:
+    """The forms with the fewest unknowns by what they hold, and why no type takes them."""
+    fewest = (search.forms(state, most) for most in range(1, state.missing + 1))
+    by_unknowns: dict[tuple[Unknown, ...], list[Form]] = {}
+    for form in next(filter(None, fewest), []):
+        by_unknowns.setdefault(form.unknowns, []).append(form)
+    by_reasons: dict[tuple[str, ...], list[str]] = {}
+    for unknowns, alike in list(by_unknowns.items())[:MOST_GROUPS]:
+        what = f"  {', '.join(map(unknown_name, unknowns))} in {_places(alike)}"
+        by_reasons.setdefault(_reasons(search, alike, search.view(state)), []).append(what)
+    lines = [_known(state)]
+    for reasons, held in by_reasons.items():
+        lines += [*held, *reasons]
+    left = len(by_unknowns) - MOST_GROUPS
+    return [*lines, f"  and {left} more sets of as many unknowns"] if left > 0 else lines
+
+
+def _known(state: Knowledge) -> str:
+    algebra = state.runs.algebra
+    names = [unknown_name(angle) for angle in algebra.angles if state.knows(angle)]
+    names += [name for joint, name in algebra.slides.items() if joint in state.slides]
+    if not names:
+        return "no equation can be used to begin with; those with the fewest unknowns hold"
+    return f"with {', '.join(names)} known, the equations with the fewest unknowns hold"
+
+
+def _places(forms: Sequence[Form]) -> str:
+    shown = ", ".join(form.equation.origin.name for form in forms[:PLACES_SHOWN])
+    left = len(forms) - PLACES_SHOWN
+    return f"{shown} and {left} more" if left > 0 else shown
+
+
+def _reasons(search: Search, forms: list[Form], view: View) -> tuple[str, ...]:
+    """One line for each reason, with the types that give it; the usual one of each type."""
+    singles = [(form,) for form in forms]
+    pairs = [group for group in search.groups(forms) if len(group) == 2]
+    types_of: dict[str, list[str]] = {}
+    for equation_type in TYPES:
+        groups: Sequence[tuple[Form, ...]] = singles if equation_type.arity == 1 else pairs
+        reasons = Counter(reason for g in groups if (reason := equation_type.why_not(g, view)))
+        usual = max(reasons, key=reasons.__getitem__, default=NO_PAIR)
+        types_of.setdefault(usual, []).append(_number(equation_type))
+    return tuple(
+        f"    type {numbers[0]}: {reason}"
+        if len(numbers) == 1 and numbers[0].isdigit()
+        else f"    types {', '.join(numbers)}: {reason}"
+        for reason, numbers in list(types_of.items())[:MOST_REASONS]
+    )
+
+
+def _number(equation_type: EquationType) -> str:
+    return equation_type.name.removeprefix("types ").removeprefix("type ")
+
+
+def _geometry(chain: Chain) -> list[str]:
+    """Which three axes are parallel or concurrent, and which nearly are."""
+    described = [text for triple in axis_triples(chain) if (text := _describe(triple, chain.size))]
+    if not described:
+        return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
+    return ["three axes that are parallel or meet in one point make a closed form:", *described]
+
+
+def _describe(triple: Triple, size: float) -> str:
+    axes = "  axes " + ", ".join(map(str, triple.joints))
+    if triple.tilt < EXACT:
+        return f"{axes} are parallel"
+    if triple.miss < EXACT * size:
+        return f"{axes} meet in one point"
+    if triple.miss < NEARLY_CONCURRENT * size:
+        return f"{axes} miss one point by {triple.miss:.4g}"
+    if triple.tilt < NEARLY_PARALLEL:
+        return f"{axes} are {math.degrees(triple.tilt):.3g} deg from parallel"
+    return ""
