@@ -1,0 +1,74 @@
+"""How many arithmetic operations a program takes for all its rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Apply, Guard, Let
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from dhgen.program.ir import Expression, Program
+
+
+@dataclass(frozen=True, slots=True)
+class OperationCount:
+    """Operations of one kind each; changes of sign, comparisons and choices are not counted.
+
+    Attributes:
+        additions: Additions and subtractions.
+        multiplications: Multiplications.
+        divisions: Divisions.
+        square_roots: Square roots.
+        arctangents: atan2.
+        sines_cosines: Sines and cosines, which only values from the caller need.
+    """
+
+    additions: int
+    multiplications: int
+    divisions: int
+    square_roots: int
+    arctangents: int
+    sines_cosines: int
+
+
+_FIELDS = {
+    "add": "additions",
+    "sub": "additions",
+    "mul": "multiplications",
+    "div": "divisions",
+    "sqrt": "square_roots",
+    "atan2": "arctangents",
+    "sin": "sines_cosines",
+    "cos": "sines_cosines",
+}
+
+
+def count_operations(program: Program) -> OperationCount:
+    """Counts a program; a statement counts once for each combination of the signs it depends on."""
+    totals = dict.fromkeys(_FIELDS.values(), 0)
+    for expression, times in _expressions(program):
+        for operator in _operators(expression):
+            if operator in _FIELDS:
+                totals[_FIELDS[operator]] += times
+    return OperationCount(**totals)
+
+
+def _expressions(program: Program) -> Iterator[tuple[Expression, int]]:
+    """Every expression, with how often it is evaluated.
+
+    The margin of a guard is what is printed when a pose is refused; it costs nothing otherwise.
+    """
+    for statement in program.body:
+        match statement:
+            case Let(expression=expression, axes=axes) | Guard(condition=expression, axes=axes):
+                yield expression, 2 ** len(axes)
+
+
+def _operators(expression: Expression) -> Iterator[str]:
+    if isinstance(expression, Apply):
+        yield expression.operator
+        for operand in expression.operands:
+            yield from _operators(operand)

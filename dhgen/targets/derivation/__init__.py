@@ -1,0 +1,50 @@
+"""The derivation target: why the solver is what it is, for people to follow by hand.
+
+`derivation_document` writes Markdown for GitHub, `derivation_terminal` the same as plain text,
+`derivation_summary` a dozen lines, `alternatives_text` the routes that were not taken.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.alternatives import alternatives_text
+from dhgen.targets.derivation.document import document_blocks, singular_places
+from dhgen.targets.derivation.markdown import markdown
+from dhgen.targets.derivation.plain import plain
+from dhgen.targets.derivation.story import Story
+from dhgen.targets.derivation.summary import summary_text
+from dhgen.targets.templates import render
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+    from dhgen.program.ir import Program
+    from dhgen.robot.robot import Robot
+
+
+def derivation_document(robot: Robot, derivation: Derivation, program: Program) -> str:
+    """The derivation as GitHub Markdown with formulas."""
+    blocks = document_blocks(Story(robot, derivation, program))
+    return render(
+        "derivation/document.md.jinja", name=robot.name, blocks=tuple(map(markdown, blocks))
+    )
+
+
+def derivation_terminal(robot: Robot, derivation: Derivation, program: Program) -> str:
+    """The same as plain text."""
+    blocks = document_blocks(Story(robot, derivation, program))
+    return render("derivation/terminal.txt.jinja", blocks=tuple(map(plain, blocks)))
+
+
+def derivation_summary(robot: Robot, derivation: Derivation, program: Program) -> str:
+    """A line for each step, the branches, the degenerate cases."""
+    story = Story(robot, derivation, program)
+    return summary_text(story, singular_places(story))
+
+
+__all__ = [
+    "alternatives_text",
+    "derivation_document",
+    "derivation_summary",
+    "derivation_terminal",
+]

@@ -1,0 +1,31 @@
+"""The other valid steps at every point of a derivation, for `dhgen explain --alternatives`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.names import unknown_symbol
+from dhgen.targets.derivation.steps import element_of, step_origins
+from dhgen.targets.derivation.style import PLAIN, show
+from dhgen.targets.derivation.words import counted
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.step import Step
+
+
+def alternatives_text(derivation: Derivation) -> str:
+    """For each step, what was taken, and what else would have been valid, cheapest first."""
+    lines: list[str] = []
+    for number, step in enumerate(derivation.steps, start=1):
+        lines.append(f"{number}. {_line(step)}   (taken)")
+        others = [_line(other) for other in derivation.alternatives[number - 1]]
+        lines += [f"     {line}" for line in dict.fromkeys(others) if line != _line(step)]
+    return "\n".join(lines) + "\n"
+
+
+def _line(step: Step) -> str:
+    """theta_3, two values: type 8, U_0[1,4] and U_0[2,4]."""
+    names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
+    where = " and ".join(show(element_of(origin), PLAIN) for origin in step_origins(step))
+    return f"{names}: type {step.kind.value}, {counted(step.roots, 'value')}, {where}"

@@ -1,0 +1,82 @@
+"""The last sections: the tree, singular configurations, the cost."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.program.count import count_operations
+from dhgen.targets.derivation.blocks import Drawing, Heading, Table, paragraph, say
+from dhgen.targets.derivation.tree import tree_text
+
+if TYPE_CHECKING:
+    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.step_context import Singularity
+    from dhgen.targets.derivation.story import Story
+
+
+def solutions_section(story: Story) -> list[Block]:
+    """The tree, and what becomes of branches that have no solution."""
+    rows = story.program.rows
+    blocks: list[Block] = [Heading(2, say("The solutions")), Drawing(tree_text(story))]
+    if rows > 1:
+        blocks.append(
+            paragraph(
+                "A branch ends where a square root has a negative argument; its rows are empty and "
+                "the other rows keep their places."
+            )
+        )
+    return blocks
+
+
+def singular_section(found: list[Singularity]) -> list[Block]:
+    """One line for every place where a step gives other than its usual number of values."""
+    blocks: list[Block] = [Heading(2, say("Singular configurations"))]
+    if not found:
+        return [
+            *blocks,
+            paragraph("None: every step has its values wherever there is a solution."),
+        ]
+    header = tuple(say(word) for word in ("step", "condition", "in joint angles", "then"))
+    rows = tuple(
+        (
+            say(str(each.step)),
+            say("{}", each.condition),
+            say("—") if each.joints is None else say("{}", each.joints),
+            say("{}; {}", each.meaning, each.effect),
+        )
+        for each in found
+    )
+    return [*blocks, Table(header, rows)]
+
+
+def cost_section(story: Story) -> list[Block]:
+    """The operations of the program for all rows together."""
+    count = count_operations(story.program)
+    rows = story.program.rows
+    header = ("", "additions", "multiplications", "divisions", "square roots", "atan2", "sin, cos")
+    label = "the solution" if rows == 1 else f"all {rows} rows"
+    numbers = (
+        count.additions, count.multiplications, count.divisions, count.square_roots,
+        count.arctangents, count.sines_cosines,
+    )  # fmt: skip
+    blocks: list[Block] = [
+        Heading(2, say("Cost")),
+        Table(
+            tuple(say(word) for word in header),
+            ((say(label), *(say(str(each)) for each in numbers)),),
+        ),
+    ]
+    blocks.append(
+        paragraph(
+            "A value that depends on a part of the signs is computed once for each combination of "
+            "them. The solutions are made of atan2 and square roots alone"
+            + ("." if not count.sines_cosines else "; " + _sines(story))
+        )
+    )
+    return blocks
+
+
+def _sines(story: Story) -> str:
+    if story.robot.free:
+        return "sine and cosine are taken of values that the caller gives."
+    return "sine and cosine are taken of the seed only, where a joint is free."

@@ -1,0 +1,43 @@
+"""The order of a derivation's sections."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.closing_sections import (
+    cost_section,
+    singular_section,
+    solutions_section,
+)
+from dhgen.targets.derivation.forward_section import forward_section
+from dhgen.targets.derivation.inverse_section import inverse_beginning
+from dhgen.targets.derivation.joints_section import joint_values
+from dhgen.targets.derivation.robot_section import opening, robot_section
+from dhgen.targets.derivation.steps import step_blocks
+
+if TYPE_CHECKING:
+    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.step_context import Singularity
+    from dhgen.targets.derivation.story import Story
+
+
+def document_blocks(story: Story) -> list[Block]:
+    """The whole derivation."""
+    steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
+    return [
+        *opening(story),
+        *robot_section(story),
+        *forward_section(story),
+        *inverse_beginning(story),
+        *(block for blocks, _ in steps for block in blocks),
+        *joint_values(story),
+        *solutions_section(story),
+        *singular_section([each for _, found in steps for each in found]),
+        *cost_section(story),
+    ]
+
+
+def singular_places(story: Story) -> list[Singularity]:
+    """Where the steps give other than their usual number of values."""
+    found = (step_blocks(story, number)[1] for number in range(1, len(story.steps) + 1))
+    return [each for places in found for each in places]

@@ -1,0 +1,258 @@
+"""Formulas as values: what is printed as LaTeX, as plain text, and evaluated by the tests.
+
+A formula knows nothing of its looks. `style.py` prints it, `lines.py` breaks it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A letter with its index.
+
+    Attributes:
+        latex: As it stands in a formula.
+        text: As it stands in a terminal.
+        name: The generator of the algebra that it stands for, or "".
+    """
+
+    latex: str
+    text: str
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A rational number."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Minus:
+    """A formula with the opposite sign."""
+
+    operand: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Two terms or more."""
+
+    terms: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Two factors or more, written side by side."""
+
+    factors: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """A formula to a whole power; -1 is the inverse of a matrix."""
+
+    base: Formula
+    exponent: int
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient:
+    """A fraction."""
+
+    over: Formula
+    under: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A square root."""
+
+    operand: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function of some arguments: atan2, sgn, wrap."""
+
+    function: str
+    arguments: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """An absolute value."""
+
+    operand: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """Sides with signs between them: a = b = c, a < b.
+
+    Attributes:
+        sides: Two or more.
+        signs: One fewer, out of `=`, `<`, `>`, `<=`, `>=`, `!=`, `->`, `in`.
+    """
+
+    sides: tuple[Formula, ...]
+    signs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """Formulas side by side, separated by commas."""
+
+    items: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """A matrix; None stands for an entry that does not matter."""
+
+    rows: tuple[tuple[Formula | None, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """An element of a matrix with a name, from 1: U_1[2,4]."""
+
+    matrix: Formula
+    row: int
+    column: int
+
+
+Formula = (
+    Symbol
+    | Number
+    | Minus
+    | Sum
+    | Product
+    | Power
+    | Quotient
+    | Root
+    | Call
+    | Size
+    | Relation
+    | Listing
+    | Matrix
+    | Element
+)
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+
+
+def number(value: int | Fraction) -> Formula:
+    """A number; a negative one as the opposite of a positive one."""
+    return Number(Fraction(value)) if value >= 0 else Minus(Number(Fraction(-value)))
+
+
+def minus(operand: Formula) -> Formula:
+    """The opposite of a formula, without two signs in a row."""
+    match operand:
+        case Minus(inner):
+            return inner
+        case Number(value) if value == 0:
+            return operand
+        case Sum(terms):
+            return add(*(minus(term) for term in terms))
+        case _:
+            return Minus(operand)
+
+
+def add(*terms: Formula) -> Formula:
+    """The sum of some terms; a positive one stands first if there is one."""
+    flat: list[Formula] = []
+    for term in terms:
+        if isinstance(term, Sum):
+            flat += term.terms
+        elif term != ZERO:
+            flat.append(term)
+    if not flat:
+        return ZERO
+    if isinstance(flat[0], Minus):
+        first = next((t for t in flat if not isinstance(t, Minus)), None)
+        if first is not None:
+            flat.remove(first)
+            flat.insert(0, first)
+    return flat[0] if len(flat) == 1 else Sum(tuple(flat))
+
+
+def subtract(left: Formula, right: Formula) -> Formula:
+    """left - right."""
+    return add(left, minus(right))
+
+
+def times(*factors: Formula) -> Formula:
+    """The product of some factors; signs and numbers come first."""
+    flat: list[Formula] = []
+    value = Fraction(1)
+    for factor in factors:
+        inner = factor
+        if isinstance(inner, Minus):
+            value, inner = -value, inner.operand
+        if isinstance(inner, Number):
+            value *= inner.value
+        elif isinstance(inner, Product):
+            flat += inner.factors
+        else:
+            flat.append(inner)
+    if value == 0:
+        return ZERO
+    if abs(value) != 1:
+        flat.insert(0, Number(abs(value)))
+    if not flat:
+        return number(value)
+    result = flat[0] if len(flat) == 1 else Product(tuple(flat))
+    return result if value > 0 else minus(result)
+
+
+def over(above: Formula, below: Formula) -> Formula:
+    """A fraction with its sign in front."""
+    if isinstance(above, Minus):
+        return minus(over(above.operand, below))
+    if isinstance(below, Minus):
+        return minus(over(above, below.operand))
+    if below == ONE or above == ZERO:
+        return above
+    return Quotient(above, below)
+
+
+def square(operand: Formula) -> Formula:
+    """The square of a formula, without its sign."""
+    if isinstance(operand, Minus):
+        return square(operand.operand)
+    if isinstance(operand, Number):
+        return Number(operand.value**2)
+    if isinstance(operand, Product):
+        return times(*(square(factor) for factor in operand.factors))
+    return Power(operand, 2)
+
+
+def root(operand: Formula) -> Formula:
+    """A square root; that of one square is its absolute value."""
+    if operand in (ZERO, ONE):
+        return operand
+    return Size(operand.base) if isinstance(operand, Power) and operand.exponent == 2 else Root(operand)
+
+
+def equal(*sides: Formula) -> Relation:
+    """a = b = c, without the same side twice in a row."""
+    kept = [side for place, side in enumerate(sides) if place == 0 or side != sides[place - 1]]
+    kept = kept if len(kept) > 1 else list(sides)
+    return Relation(tuple(kept), ("=",) * (len(kept) - 1))
+
+
+def relation(left: Formula, sign: str, right: Formula) -> Relation:
+    """left sign right."""
+    return Relation((left, right), (sign,))
+
+
+def atan2(sine: Formula, cosine: Formula) -> Formula:
+    """The angle with this sine and cosine, up to a common positive factor."""
+    return Call("atan2", (sine, cosine))

@@ -1,0 +1,207 @@
+"""How the inverse begins: U_0, named points, and the elements of the U matrices that are used."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.transform import compose, identity, inverse
+from dhgen.paul.problem import task_entries
+from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
+from dhgen.targets.derivation.formula import Element, Listing, Matrix, Product, Symbol, equal, times
+from dhgen.targets.derivation.forward_section import BASE, TOOL
+from dhgen.targets.derivation.matrices import (
+    chosen_origins,
+    left_name,
+    middle_name,
+    sides,
+    steps_back,
+)
+from dhgen.targets.derivation.names import inverse as inverse_name
+from dhgen.targets.derivation.names import letter, link, target
+from dhgen.targets.derivation.words import many
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.pool import Origin, Point
+    from dhgen.targets.derivation.blocks import Block, Prose
+    from dhgen.targets.derivation.formula import Formula
+    from dhgen.targets.derivation.story import Story
+
+POSE = Symbol(r"\mathit{POS}", "POS")
+
+
+def inverse_beginning(story: Story) -> list[Block]:
+    """Everything before the first step."""
+    blocks: list[Block] = [Heading(2, say("Inverse"))]
+    blocks += _given(story)
+    blocks += _stay(story)
+    for point in story.derivation.pool.points:
+        blocks += _point(story, point)
+    return blocks + _matrices(story)
+
+
+def _given(story: Story) -> list[Block]:
+    """U_0, and its entries where base or tool are moved to the left."""
+    problem = story.derivation.problem
+    algebra = story.algebra
+    still = identity(algebra.ring)
+    base, tool = algebra.lift(algebra.chain.base), algebra.lift(algebra.chain.tool)
+    left, right = problem.base_left and base != still, problem.tool_left and tool != still
+    factors = [*([inverse_name(BASE)] if left else []), POSE]
+    factors += [inverse_name(TOOL)] if right else []
+    name = equal(target(0), times(*factors), Symbol("(t_{ij})", "(tᵢⱼ)"))
+    method = say(
+        "Paul's method multiplies both sides of {} by {}, {} and so on from the left, {}, until an "
+        "element holds one unknown or is of one of the types of document 003.",
+        equal(target(0), Symbol(r"A_1 \cdots A_n", "A₁⋯Aₙ")), inverse_name(link(1)),
+        inverse_name(link(2)),
+        equal(Symbol("U_i", "Uᵢ"), Symbol(r"A_i^{-1} U_{i-1}", "Aᵢ⁻¹ Uᵢ₋₁")),
+    )
+    named = sorted(task_entries(algebra.chain.task))
+    which = say("")
+    if len(named) < 12:
+        listed = Listing(tuple(story.letters[n] for n in sorted(problem.known)))
+        which = say(" Of its entries the task gives {}.", listed)
+    blocks: list[Block] = [
+        paragraph("The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method)
+    ]
+    if left or right:
+        whole = algebra.lift(identity(algebra.chain.ring)) if False else problem.target  # noqa: SIM108
+        del whole
+        blocks += _entries(story, left=left, right=right)
+    return blocks
+
+
+def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
+    """The entries of U_0 by those of POS = (p_ij)."""
+    algebra = story.algebra
+    problem = story.derivation.problem
+    from dhgen.kinematics.transform import Transform  # noqa: PLC0415
+
+    entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
+    given = Transform(tuple(tuple(row[:3]) for row in entry), tuple(row[3] for row in entry))
+    if left:
+        given = compose(inverse(algebra.lift(algebra.chain.base), algebra.normal), given, algebra.normal)
+    if right:
+        given = compose(given, inverse(algebra.lift(algebra.chain.tool), algebra.normal), algebra.normal)
+    letters = dict(story.letters)
+    for i in range(1, 4):
+        for j in range(1, 5):
+            letters[f"t{i}{j}"] = letter("p", "p", f"{i}{j}", f"p{i}{j}")
+    from dhgen.targets.derivation.polynomial import Writer  # noqa: PLC0415
+
+    writer = Writer(algebra, lambda _: 0, {}, letters)
+    shown = [
+        equal(story.letters[name], writer.write(given.entry(int(name[1]) - 1, int(name[2]) - 1)))
+        for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
+    ]
+    return [paragraph("With {} its entries are", equal(POSE, Symbol("(p_{ij})", "(pᵢⱼ)"))), display(*shown)]
+
+
+def _stay(story: Story) -> list[Block]:
+    """Base and tool that stay on the right, because the task does not give the whole pose."""
+    problem = story.derivation.problem
+    chain = story.algebra.chain
+    still = identity(chain.ring)
+    stays: list[Prose] = []
+    if not problem.base_left and chain.base != still:
+        stays.append(say("{} stands for {}", link(1), times(BASE, link(1))))
+    if not problem.tool_left and chain.tool != still:
+        stays.append(say("{} stands for {}", link(chain.dof), times(link(chain.dof), TOOL)))
+    if not stays:
+        return []
+    text = (
+        "The task gives only a part of the pose; moving a constant frame to the other side would mix "
+        "that part with the rest, so it stays where it is: in this section {}."
+    )
+    return [paragraph(text, joined(stays))]
+
+
+def _point(story: Story, point: Point) -> list[Block]:
+    problem = story.derivation.problem
+    k = min(
+        k for k in range(story.dof) if steps_back(problem, k).translation == point.in_tool
+    )
+    coordinates = []
+    for row, name in enumerate(point.names):
+        total = problem.target.entry(row, 3)
+        for column, length in enumerate(point.in_tool):
+            total += problem.target.entry(row, column) * length
+        coordinates.append(equal(story.letters[name], story.write(total)))
+    in_tool = Matrix((tuple(story.write(entry) for entry in point.in_tool),))
+    joints = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
+    turn = "does" if k + 1 == story.dof else "do"
+    origin = Symbol(f"o_{k}", f"o{k}")
+    if story.wrist is not None and k >= story.wrist[0] - 1:
+        first = (
+            "The wrist centre {} is the origin of frame {}, where the axes {}, {} and {} meet"
+        )
+        three = [Given(str(joint)) for joint in story.wrist]
+        head = say(first, Symbol("w", "w"), Given(str(k)), *three)
+    else:
+        head = say("The origin {} of frame {} is a second point that the pose gives", origin, Given(str(k)))
+    text = (
+        f"{{}}: {joints} {turn} not move it in the last frame, where it is {{}}. "
+        "So its place follows from the pose alone:"
+    )
+    del in_tool
+    place = "(" + ", ".join("{}" for _ in range(3)) + ")"
+    shown = say(place, *(story.write(entry) for entry in point.in_tool))
+    return [paragraph(text, head, shown), display(*coordinates)]
+
+
+def _matrices(story: Story) -> list[Block]:
+    """Both sides of every element in the columns that the steps use, each once."""
+    used: dict[tuple[int, int], list[Origin]] = {}
+    for step in story.steps:
+        for origin in chosen_origins(tuple(form.equation.origins for form in step.forms)):
+            used.setdefault((origin.m, origin.k), []).append(origin)
+    blocks: list[Block] = []
+    for (m, k), origins in sorted(used.items(), key=lambda item: (item[0][0], -item[0][1])):
+        rows = _wanted(story, m, k, origins)
+        equations = [_element_equation(story, m, k, row, column) for row, column in rows]
+        if equations:
+            blocks.append(display(*equations))
+            blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, m, k)))
+    if not blocks:
+        return []
+    return [paragraph("The elements that are used below, and their neighbours in column 4:"), *blocks]
+
+
+def _form_sentence(story: Story, m: int, k: int) -> Prose:
+    """U_m = A_m^-1 U_{m-1} = A_{m+1} ... A_k."""
+    name = left_name(m, k, story.dof)
+    if k == story.dof:
+        before: tuple[Formula, ...] = ()
+        if m:
+            before = (Product((inverse_name(link(m)), target(m - 1))),)
+        return say("{}:", equal(name, *before, middle_name(m, k)))
+    moved = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
+    return say(f"{{}} ({moved} moved to the side of {{}}):", equal(name, middle_name(m, k)), target(0))
+
+
+def _wanted(story: Story, m: int, k: int, origins: list[Origin]) -> list[tuple[int, int]]:
+    """The elements to show: used ones, and the whole of column 4 where the task gives it."""
+    form = story.form(m, k)
+    withheld = {
+        story.algebra.index[f"t{i}{j}"] for i in (1, 2, 3) for j in (1, 2, 3, 4)
+    } - {story.algebra.index[name] for name in story.derivation.problem.known}
+
+    def is_given(polynomial: Polynomial) -> bool:
+        return not any(monomial[place] for monomial in polynomial for place in withheld)
+
+    wanted = {(origin.row, origin.column) for origin in origins if origin.row}
+    if any(origin.column == 4 for origin in origins):
+        wanted |= {(row, 4) for row in (1, 2, 3) if is_given(form.left.entry(row - 1, 3))}
+    kept = []
+    for row, column in sorted(wanted, key=lambda place: (place[1], place[0])):
+        left, right = sides(form, row, column)
+        if left != right:
+            kept.append((row, column))
+    return kept
+
+
+def _element_equation(story: Story, m: int, k: int, row: int, column: int) -> Formula:
+    left, right = sides(story.form(m, k), row, column)
+    name = Element(left_name(m, k, story.dof), row, column)
+    return equal(name, story.write(left), story.write_forward(right))

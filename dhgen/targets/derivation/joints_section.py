@@ -1,0 +1,126 @@
+"""From angles and lengths to joint values: sums taken apart, offsets, signs, one turn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.problem import task_dimension
+from dhgen.robot.robot import DhRow, JointKind
+from dhgen.targets.derivation.blocks import Paragraph, display, paragraph, say
+from dhgen.targets.derivation.expressions import expression_symbol
+from dhgen.targets.derivation.formula import Formula, Symbol, add, equal, minus
+from dhgen.targets.derivation.names import joint_symbol, letter, single, theta
+from dhgen.robot.expression import ZERO as NOTHING
+
+if TYPE_CHECKING:
+    from dhgen.paul.knowledge import Cut
+    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.story import Story
+
+
+def joint_values(story: Story) -> list[Block]:
+    """What comes after the steps."""
+    lines = [*_sums(story), *_variables(story)]
+    blocks: list[Block] = []
+    if lines:
+        blocks.append(Paragraph(_text(story), lead=say("The joint values.")))
+        blocks.append(display(*lines))
+    if story.derivation.problem.redundant:
+        blocks.append(_check(story))
+    return blocks
+
+
+def _text(story: Story) -> object:
+    turning = any(j.kind is JointKind.REVOLUTE for j in story.algebra.chain.joints)
+    wrap = ", and whole turns are taken off until the angle lies in {}" if turning else ""
+    parts = [Symbol(r"(-\pi, \pi]", "(−π, π]")] if turning else []
+    return say("What is left is addition" + wrap + ":", *parts)
+
+
+def _sums(story: Story) -> list[Formula]:
+    """theta_4 = theta_234 - theta_3 - theta_2, for joints that no step gives by themselves."""
+    solved = [u for step in story.steps for u in step.unknowns if isinstance(u, AngleSum)]
+    solved += [single(joint) for joint in story.algebra.chain.free if joint in _turning(story)]
+    lines = []
+    for joint in _turning(story):
+        if single(joint) in solved:
+            continue
+        parts = path_of(story, joint, solved)
+        lines.append(
+            equal(
+                theta(single(joint)),
+                add(*(theta(a) if sign > 0 else minus(theta(a)) for a, sign in parts)),
+            )
+        )
+    return lines
+
+
+def _turning(story: Story) -> list[int]:
+    joints = story.algebra.chain.joints
+    return [joint.number for joint in joints if joint.kind is JointKind.REVOLUTE]
+
+
+def path_of(story: Story, joint: int, solved: list[AngleSum]) -> list[tuple[AngleSum, int]]:
+    """The solved sums, with signs, that add up to the angle of a joint: the shortest way."""
+    runs = story.knowledge[0].runs
+    run, place = runs.place[joint]
+    facing = runs.runs[run][place][1]
+    start, goal = (run, place), (run, place + 1)
+    reached: dict[Cut, list[tuple[AngleSum, int]]] = {start: []}
+    frontier = [start]
+    while frontier:
+        cut = frontier.pop(0)
+        for angle in solved:
+            low, high, sign = runs.ends(angle)
+            for here, there, along in ((low, high, sign), (high, low, -sign)):
+                if here == cut and there not in reached:
+                    reached[there] = [*reached[cut], (angle, along)]
+                    frontier.append(there)
+    parts = [(angle, sign * facing) for angle, sign in reached[goal]]
+    return sorted(parts, key=lambda part: -len(part[0].terms))
+
+
+def _variables(story: Story) -> list[Formula]:
+    """q_i by theta_i or r_i, where they differ."""
+    lines: list[Formula] = []
+    for number, joint in enumerate(story.robot.joints, start=1):
+        chain_joint = story.algebra.chain.joints[number - 1]
+        turning = joint.kind is JointKind.REVOLUTE
+        inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
+        offset = NOTHING
+        if isinstance(joint, DhRow):
+            offset = joint.theta if turning else joint.d
+        if turning and chain_joint.sign > 0 and offset == NOTHING:
+            continue
+        added = Symbol(*_enclosed(expression_symbol(offset)))
+        value = inner if offset == NOTHING else _minus(inner, added)
+        if chain_joint.sign < 0:
+            value = minus(inner) if offset == NOTHING else _minus(added, inner)
+        lines.append(equal(joint_symbol(number), value))
+    return lines
+
+
+def _minus(left: Formula, right: Formula) -> Formula:
+    """left - right; a cell that begins with a sign keeps its sign out."""
+    if isinstance(right, Symbol) and right.text.startswith("−"):
+        return add(left, Symbol(right.latex[1:], right.text[1:]))
+    return add(left, minus(right))
+
+
+def _enclosed(symbol: Symbol) -> tuple[str, str]:
+    if " " in symbol.text:
+        return f"({symbol.latex})", f"({symbol.text})"
+    return symbol.latex, symbol.text
+
+
+def _check(story: Story) -> Block:
+    """A pose with more numbers than the arm has joints."""
+    chain = story.algebra.chain
+    asked, own = task_dimension(chain.task), chain.dof - len(chain.free)
+    return paragraph(
+        f"The task has {asked} independent numbers and the arm {own} joint{'s' * (own != 1)} to choose, "
+        "so not every pose "
+        "can be taken. Each solution is put into the forward model; if an entry differs from the given "
+        "one, the pose is none that this arm can take and the row stays empty."
+    )

@@ -1,0 +1,122 @@
+"""Long formulas broken into lines: at relation signs first, then before plus and minus signs.
+
+Widths are counted in the plain style, which is about what a formula takes on a page.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.formula import Call, Listing, Minus, Product, Relation, Sum
+from dhgen.targets.derivation.style import PLAIN, is_tall, show, signed_terms
+
+if TYPE_CHECKING:
+    from dhgen.targets.derivation.formula import Formula
+    from dhgen.targets.derivation.style import Style
+
+WIDTH = 100  # visible characters of a line
+INDENT = 4
+
+
+def width(formula: Formula) -> int:
+    """Visible characters of a formula in one line."""
+    return len(show(formula, PLAIN))
+
+
+def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
+    """The lines of a formula, each as what stands left and right of the point of alignment."""
+    if not isinstance(formula, Relation):
+        return [("", line) for line in filled(formula, style, WIDTH)]
+    first, *others = formula.sides
+    left = show(first, style)
+    start = width(first) + 3
+    if start > WIDTH // 2:
+        head = filled(first, style, WIDTH)
+        lines = [("", line) for line in head]
+        start = INDENT
+        left = ""
+    else:
+        lines = []
+    pending = _joined(formula, start, style)
+    for place, line in enumerate(pending):
+        lines.append((left if place == 0 and not lines else "", line))
+    return lines
+
+
+def _joined(formula: Relation, start: int, style: Style) -> list[str]:
+    """The sides after the first: on one line as long as they fit, else one below the other."""
+    rest = formula.sides[1:]
+    if start + sum(width(side) + 3 for side in rest) <= WIDTH:
+        parts = (
+            f"{style.sign(sign)} {show(side, style)}"
+            for sign, side in zip(formula.signs, rest, strict=True)
+        )
+        return [" ".join(parts)]
+    lines: list[str] = []
+    for sign, side in zip(formula.signs, rest, strict=True):
+        pieces = filled(side, style, WIDTH - min(start, WIDTH // 2))
+        lines.append(f"{style.sign(sign)} {pieces[0]}")
+        lines += pieces[1:]
+    return lines
+
+
+def filled(formula: Formula, style: Style, room: int) -> list[str]:
+    """A formula in as many lines as it needs; lines after the first are indented."""
+    shown, plain = _pieces(formula, style), _pieces(formula, PLAIN)
+    lines: list[str] = []
+    used = 0
+    for piece, visible in zip(shown, plain, strict=True):
+        if lines and used + len(visible) <= room:
+            lines[-1] += piece
+            used += len(visible)
+        else:
+            indent = "" if not lines else r"\quad " if style is not PLAIN else " " * INDENT
+            lines.append(indent + piece.lstrip() if lines else piece)
+            used = len(visible) + (INDENT if len(lines) > 1 else 0)
+    return lines
+
+
+def _pieces(formula: Formula, style: Style) -> list[str]:
+    """Parts between which a line may end; joined they are the formula."""
+    match formula:
+        case Sum(terms) if len(terms) > 1:
+            return _sum_pieces(terms, style)
+        case Minus(operand):
+            first, *rest = _pieces(operand, style)
+            if isinstance(operand, Sum):
+                return [show(formula, style)]
+            return [style.minus + first, *rest]
+        case Product(factors) if isinstance(factors[-1], Sum) and not is_tall(factors[-1]):
+            before = " ".join(show(f, style) if not isinstance(f, Sum) else f"({show(f, style)})"
+                              for f in factors[:-1])
+            first, *rest = _pieces(factors[-1], style)
+            parts = [f"{before} ({first}", *rest]
+            parts[-1] += ")"
+            return parts
+        case Call(function, arguments) if not any(map(is_tall, arguments)):
+            parts = []
+            for argument in arguments:
+                first, *rest = _pieces(argument, style)
+                opening = f"{style.function(function)}(" if not parts else " "
+                parts += [opening + first, *rest]
+                parts[-1] += ","
+            parts[-1] = parts[-1][:-1] + ")"
+            return parts
+        case Listing(items):
+            shown = [show(item, style) for item in items]
+            return [item + style.comma for item in shown[:-1]] + shown[-1:]
+        case _:
+            return [show(formula, style)]
+
+
+def _sum_pieces(terms: tuple[Formula, ...], style: Style) -> list[str]:
+    parts: list[str] = []
+    for term, text in zip(terms, signed_terms(terms, style), strict=True):
+        inner = term.operand if isinstance(term, Minus) else term
+        pieces = _pieces(inner, style)
+        whole = "".join(pieces)
+        if len(pieces) > 1 and text.endswith(whole):
+            parts += [text[: -len(whole)] + pieces[0], *pieces[1:]]
+        else:
+            parts.append(text)
+    return parts

@@ -1,0 +1,128 @@
+"""The matrices of a derivation: A_i, T_i^0, and both sides of every mixed form of U_0.
+
+A mixed form is (A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k; with k = n it is Paul's U_m.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.transform import Transform, compose
+from dhgen.targets.derivation.formula import Formula, Product, times
+from dhgen.targets.derivation.names import inverse, link, product_of, target
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.pool import Origin, Pool
+    from dhgen.paul.problem import Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """One mixed form.
+
+    Attributes:
+        m: Joints moved from the left.
+        k: Joints moved from the right begin at k + 1.
+        left: The side with U_0; its origin by name when it is a named point.
+        right: A_{m+1} ... A_k.
+    """
+
+    m: int
+    k: int
+    left: Transform
+    right: Transform
+
+
+def form_of(pool: Pool, m: int, k: int) -> Form:
+    """Both sides of a mixed form."""
+    problem = pool.problem
+    algebra = problem.algebra
+    before = [element for link in problem.links[:m] for element in link]
+    middle = [element for link in problem.links[m:k] for element in link]
+    left = product(reversed_elements(before, algebra), algebra)
+    moved = compose(left, _moved_right(pool, k), algebra.normal)
+    return Form(m, k, moved, product(middle, algebra))
+
+
+def _moved_right(pool: Pool, k: int) -> Transform:
+    """U_0 (A_{k+1} ... A_n)^-1, its origin by name where the pool has one."""
+    problem = pool.problem
+    algebra = problem.algebra
+    step = steps_back(problem, k)
+    moved = compose(problem.target, step, algebra.normal)
+    for point in pool.points:
+        if point.in_tool == step.translation:
+            origin = tuple(
+                algebra.generator(name) if len(entry) > 1 else entry
+                for name, entry in zip(point.names, moved.translation, strict=True)
+            )
+            return Transform(moved.rotation, origin)
+    return moved
+
+
+def steps_back(problem: Problem, k: int) -> Transform:
+    """(A_{k+1} ... A_n)^-1: frame k seen from the last one."""
+    after = [element for link in problem.links[k:] for element in link]
+    return product(reversed_elements(after, problem.algebra), problem.algebra)
+
+
+def link_matrix(algebra: Algebra, number: int) -> Transform:
+    """A_i of the chain, from 1."""
+    return product(algebra.lifted(algebra.chain.links[number - 1]), algebra)
+
+
+def forward_of(algebra: Algebra, number: int) -> Transform:
+    """T_i^0 = A_1 ... A_i, without base and tool."""
+    elements = [e for link in algebra.chain.links[:number] for e in algebra.lifted(link)]
+    return product(elements, algebra)
+
+
+def left_name(m: int, k: int, dof: int) -> Formula:
+    """U_m, or U_m A_n^-1 ... A_{k+1}^-1."""
+    back = [inverse(link(number)) for number in range(dof, k, -1)]
+    return times(target(m), *back)
+
+
+def middle_name(m: int, k: int) -> Formula:
+    """A_{m+1} ... A_k, in short when it is long."""
+    return product_of(range(m + 1, k + 1))
+
+
+def sides(form: Form, row: int, column: int) -> tuple[Polynomial, Polynomial]:
+    """An element of both sides, row and column from 1: the side with U_0, then the joints'."""
+    return form.left.entry(row - 1, column - 1), form.right.entry(row - 1, column - 1)
+
+
+def is_product(formula: Formula) -> bool:
+    """Whether a matrix's name has more than one factor."""
+    return isinstance(formula, Product)
+
+
+def chosen_origins(origins: tuple[tuple[Origin, ...], ...]) -> tuple[Origin, ...]:
+    """Where to read equations: all in one matrix, in one column or row if there is such a one.
+
+    Matrices that Paul's method gives itself (nothing moved from the right) come first, then those
+    with the fewest joints moved.
+    """
+    if len(origins) == 1:
+        return (min(origins[0], key=_effort),)
+    pairs = [
+        (first, second)
+        for first in origins[0]
+        for second in origins[1]
+        if (first.m, first.k) == (second.m, second.k)
+        and first.row
+        and second.row
+        and (first.column == second.column or first.row == second.row)
+    ]
+    if not pairs:
+        return tuple(min(each, key=_effort) for each in origins)
+    return min(pairs, key=lambda pair: (_effort(pair[0]), pair[0].column != pair[1].column, pair))
+
+
+def _effort(origin: Origin) -> tuple[bool, int, Origin]:
+    return origin.is_mixed, origin.m + origin.dof - origin.k, origin

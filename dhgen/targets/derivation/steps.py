@@ -1,0 +1,163 @@
+"""The steps: heading, the elements with their equations, then what the type's printer says."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.step import Kind
+from dhgen.targets.derivation.blocks import Given, Paragraph, display, joined, paragraph, say
+from dhgen.targets.derivation.formula import Element, Formula, Listing, Symbol, equal
+from dhgen.targets.derivation.matrices import chosen_origins, left_name, sides
+from dhgen.targets.derivation.names import cosine, sine, unknown_symbol
+from dhgen.targets.derivation.step_context import StepContext
+from dhgen.targets.derivation.types import PRINTERS
+from dhgen.targets.derivation.types.angle_pair import is_direct
+from dhgen.targets.derivation.words import many, numeral
+
+if TYPE_CHECKING:
+    from dhgen.paul.forms import Form
+    from dhgen.paul.pool import Origin
+    from dhgen.paul.step import Step
+    from dhgen.targets.derivation.blocks import Block, Prose
+    from dhgen.targets.derivation.step_context import Singularity
+    from dhgen.targets.derivation.story import Story
+
+
+def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singularity, ...]]:
+    """One step, with the singular places it brings."""
+    step = story.steps[number - 1]
+    context = StepContext(story, number, step)
+    text = PRINTERS[step.kind](context)
+    where = _where(story, step)
+    blocks: list[Block] = [Paragraph(where, lead=_lead(context)), display(*_quoted(story, step))]
+    blocks += _rewriting(context)
+    return [*blocks, *text.blocks], text.singularities
+
+
+def _lead(context: StepContext) -> Prose:
+    step = context.step
+    count = numeral(step.roots)
+    values = f"{count} value{'' if step.roots == 1 else 's'}"
+    names = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
+    other = document_002_number(context)
+    also = f" (document 002: type {other})" if other else ""
+    return say(f"{context.number}. {{}}, {values} — type {step.kind.value}{also}.", names)
+
+
+def document_002_number(context: StepContext) -> int | None:
+    """The number of the step's equations in document 002, which has four types."""
+    step = context.step
+    match step.kind:
+        case Kind.ANGLE:
+            return 2 if step.coefficient("Z") else 1
+        case Kind.ANGLE_AND_SUM:
+            return 3
+        case Kind.ANGLE_PAIR:
+            return 4 if is_direct(context) else None
+        case _:
+            return None
+
+
+def step_origins(step: Step) -> tuple[Origin, ...]:
+    """The elements in which a step's equations are read."""
+    return chosen_origins(tuple(form.equation.origins for form in step.forms))
+
+
+def _where(story: Story, step: Step) -> Prose:
+    """From which elements, and what was moved."""
+    origins = step_origins(step)
+    names = [say("{}", element_of(origin)) for origin in origins]
+    head = say("From {}", joined(names))
+    first = origins[0]
+    if not all((o.m, o.k) == (first.m, first.k) for o in origins):
+        return say("{}:", head)
+    if first.is_mixed:
+        joints = many("joint", [str(joint) for joint in range(first.k + 1, story.dof + 1)])
+        moved = say(f", {joints} moved to the side of {{}}", Symbol("U_0", "U₀"))
+        return say("{}{}{}:", head, _line_of(origins), moved)
+    return say("{}{}:", head, _line_of(origins))
+
+
+def _line_of(origins: tuple[Origin, ...]) -> Prose:
+    """(column 4) or (row 3), for two elements."""
+    if len(origins) < 2:
+        return say("")
+    if origins[0].column == origins[1].column:
+        return say(f" (column {origins[0].column})")
+    return say(f" (row {origins[0].row})") if origins[0].row == origins[1].row else say("")
+
+
+def element_of(origin: Origin) -> Formula:
+    """U_1[2,4], or the squared length of a column 4."""
+    name = left_name(origin.m, origin.k, origin.dof)
+    if origin.row:
+        return Element(name, origin.row, origin.column)
+    from dhgen.targets.derivation.style import LATEX, PLAIN, show  # noqa: PLC0415
+
+    return Symbol(
+        rf"\lVert {show(name, LATEX)}[\cdot,4] \rVert^2", f"‖{show(name, PLAIN)}[·,4]‖²"
+    )
+
+
+def _quoted(story: Story, step: Step) -> list[Formula]:
+    """The equations as they stand: the joints' side first, as the documents write them."""
+    lines: list[Formula] = []
+    for form, origin in zip(step.forms, step_origins(step), strict=True):
+        if origin.row:
+            left, right = sides(story.form(origin.m, origin.k), origin.row, origin.column)
+        else:
+            left, right = form.equation.left, form.equation.right
+        if story.algebra.is_constant(right) or not right:
+            lines.append(equal(story.write(left), story.write_forward(right)))
+        else:
+            lines.append(equal(story.write_forward(right), story.write(left)))
+    return lines
+
+
+def _rewriting(context: StepContext) -> list[Block]:
+    """Sums of angles of which a part is known, when the step writes them by what is not."""
+    story = context.story
+    angles = [
+        angle
+        for angle in story.algebra.angles
+        if any(_changed(story, form, angle) for form in context.step.forms)
+    ]
+    lines: list[Formula] = []
+    before = story.knowledge[context.number - 1]
+    for angle in angles:
+        c, s = before.rewritten(angle)
+        lines.append(
+            Listing(
+                (
+                    equal(cosine(angle), story.write(c)),
+                    equal(sine(angle), story.write(s)),
+                )
+            )
+        )
+    if not lines:
+        return []
+    known = [
+        say("{}", unknown_symbol(AngleSum(((joint, 1),))))
+        for joint in sorted({joint for angle in angles for joint, _ in angle.terms})
+        if before.knows(AngleSum(((joint, 1),)))
+    ]
+    text = "{} is known by now, so" if len(known) == 1 else "{} are known by now, so"
+    if not known:
+        return [paragraph("By what is known,"), display(*lines)]
+    return [paragraph(text, joined(known)), display(*lines)]
+
+
+def _changed(story: Story, form: Form, angle: AngleSum) -> bool:
+    """Whether an angle sum of the equation is no longer in its ordered form."""
+    algebra = story.algebra
+    places = (algebra.index[angle.cosine], algebra.index[angle.sine])
+    stands = any(monomial[place] for monomial in form.equation.difference for place in places)
+    if not stands:
+        return False
+    kept = any(angle.cosine in key or angle.sine in key for key in form.terms)
+    inside = any(m[place] for p in form.terms.values() for m in p for place in places)
+    return not kept and not inside
+
+
+__all__ = ["Given", "document_002_number", "element_of", "step_blocks", "step_origins"]

@@ -1,0 +1,166 @@
+"""What every section of a derivation draws from: the arm, its steps, and how polynomials are written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.search import learn
+from dhgen.paul.step import Kind
+from dhgen.targets.derivation.geometry import wrist_joints
+from dhgen.targets.derivation.matrices import form_of
+from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
+from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.ring import content, primitive
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.step import Step
+    from dhgen.program.ir import Program
+    from dhgen.robot.robot import Robot
+    from dhgen.targets.derivation.formula import Formula, Symbol
+    from dhgen.targets.derivation.matrices import Form
+
+
+@dataclass(frozen=True)
+class Story:
+    """A derivation with what its prints need.
+
+    Attributes:
+        robot: As the user wrote it.
+        derivation: The steps.
+        program: What computes them; its axes are the branch signs.
+    """
+
+    robot: Robot
+    derivation: Derivation
+    program: Program
+
+    @property
+    def algebra(self) -> Algebra:
+        """The arm's ring."""
+        return self.derivation.problem.algebra
+
+    @property
+    def dof(self) -> int:
+        """The number of joints."""
+        return self.algebra.chain.dof
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps, in order."""
+        return self.derivation.steps
+
+    @cached_property
+    def letters(self) -> dict[str, Symbol]:
+        """The letter of every generator."""
+        return symbols(self.algebra)
+
+    @cached_property
+    def knowledge(self) -> tuple[Knowledge, ...]:
+        """What is known before the first step and after each."""
+        states = [initial_knowledge(self.algebra)]
+        for step in self.steps:
+            states.append(learn(states[-1], step))
+        return tuple(states)
+
+    @cached_property
+    def solved_after(self) -> dict[str, int]:
+        """For every generator that moves, the number of the step after which it is known."""
+        ranks: dict[str, int] = {}
+        for number, state in enumerate(self.knowledge):
+            for angle in self.algebra.angles:
+                if state.knows(angle):
+                    ranks.setdefault(angle.cosine, number)
+                    ranks.setdefault(angle.sine, number)
+            for joint, name in self.algebra.slides.items():
+                if joint in state.slides:
+                    ranks.setdefault(name, number)
+        return ranks
+
+    def write(self, polynomial: Polynomial, step: int = 0) -> Formula:
+        """A polynomial nested by the order of solving; forms of steps before `step` by name."""
+        known = {p: f for n, p, f in self.remembered if n < step}
+        rank = self.solved_after
+        last = len(self.steps) + 1
+        writer = Writer(self.algebra, lambda name: rank.get(name, last), known, self.letters)
+        return writer.write(polynomial)
+
+    def write_forward(self, polynomial: Polynomial) -> Formula:
+        """A polynomial nested from the base to the tool."""
+        first = {a.cosine: -a.terms[0][0] for a in self.algebra.angles}
+        first |= {a.sine: -a.terms[0][0] for a in self.algebra.angles}
+        first |= {name: -joint for joint, name in self.algebra.slides.items()}
+        return Writer(self.algebra, lambda name: first.get(name, 0), {}, self.letters).write(polynomial)
+
+    @cached_property
+    def remembered(self) -> tuple[tuple[int, Polynomial, Formula], ...]:
+        """After X s + Y c = Z, the form Y s - X c has a letter: number of the step, form, letter."""
+        found = []
+        for number, step in enumerate(self.steps, start=1):
+            if step.kind is not Kind.ANGLE:
+                continue
+            form = other_form(self.algebra, step)
+            factor, inner = primitive(form)
+            if abs(factor) == 1 and not any(content(inner)[0]) and len(form) > 1:
+                found.append((number, form, remembered_letter(step)))
+        return tuple(found)
+
+    def sign_of(self, step: int) -> Symbol | None:
+        """The branch sign that a step brings in, if it does."""
+        for place, axis in enumerate(self.program.axes):
+            if axis.step == step:
+                return branch_sign(place)
+        return None
+
+    def form(self, m: int, k: int) -> Form:
+        """Both sides of a mixed form."""
+        if (m, k) not in self._forms:
+            self._forms[m, k] = form_of(self.derivation.pool, m, k)
+        return self._forms[m, k]
+
+    @cached_property
+    def _forms(self) -> dict[tuple[int, int], Form]:
+        return {}
+
+    @cached_property
+    def wrist(self) -> tuple[int, int, int] | None:
+        """The last three joints when their axes meet in one point."""
+        return wrist_joints(self.algebra.chain)
+
+    @cached_property
+    def branch_names(self) -> tuple[str, ...]:
+        """A name for every row: the words of its signs, or the signs themselves."""
+        names = [""]
+        for axis in self.program.axes:
+            plus, minus = axis.meaning
+            words = ("+", "−") if (plus, minus) == ("+", "-") else (plus, minus)
+            joint = "" if words == ("+", "−") else "-"
+            names = [name + (joint if name else "") + word for name in names for word in words]
+        return tuple(names)
+
+    @property
+    def has_branch_words(self) -> bool:
+        """Whether the branches have names in words."""
+        return any(axis.meaning != ("+", "-") for axis in self.program.axes)
+
+
+def other_form(algebra: Algebra, step: Step) -> Polynomial:
+    """Y s - X c of an equation X s + Y c = Z."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    s, c = algebra.generator(angle.sine), algebra.generator(angle.cosine)
+    return step.coefficient("Y") * s - step.coefficient("X") * c
+
+
+def remembered_letter(step: Step) -> Symbol:
+    """D_1: what Y s - X c is called."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    return letter("D", "D", joint_index(angle))

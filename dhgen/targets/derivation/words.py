@@ -1,0 +1,25 @@
+"""Small words: numbers, plurals, enumerations."""
+
+from __future__ import annotations
+
+_NUMBERS = (
+    "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+    "twelve",
+)  # fmt: skip
+
+
+def numeral(count: int) -> str:
+    """A number in words as far as people write it so."""
+    return _NUMBERS[count] if count < len(_NUMBERS) else str(count)
+
+
+def counted(count: int, noun: str) -> str:
+    """two joints, one joint."""
+    return f"{numeral(count)} {noun}{'' if count == 1 else 's'}"
+
+
+def many(noun: str, items: list[str]) -> str:
+    """joint 3; joints 1 and 2; joints 1, 2 and 4."""
+    if len(items) == 1:
+        return f"{noun} {items[0]}"
+    return f"{noun}s {', '.join(items[:-1])} and {items[-1]}"
