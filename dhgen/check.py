@@ -70,7 +70,9 @@ def _difference(path: Path, text: str) -> str | None:
 def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
     """Files of the output folder that neither these robot files nor their neighbours make."""
     neighbours = {
-        each.stem for folder in {path.resolve().parent for path in files} for each in folder.glob("*.yaml")
+        each.stem
+        for folder in {path.resolve().parent for path in files}
+        for each in folder.glob("*.yaml")
     }
     known = {path.stem for path in files}
     if not out.is_dir():

@@ -1,4 +1,4 @@
-"""Builds programs: every expression once (hash-consing), folded where operands are constant.
+"""Builds programs: every expression once (hash-consing), constants folded.
 
 The builder works on numbered nodes; `finish` decides which of them get a name. A node is named when it
 is used twice, when its user depends on more signs than it does (it is computed outside that user's
@@ -36,8 +36,12 @@ Node = int
 
 # Names of the emitted code's own variables and functions, in any target.
 RESERVED = frozenset(
-    "T P R q_seed seed free_joints status row lost shortfall count joint math np njit nan pi fk ik "
-    "ik_all ik_into ik_batch ik_nearest jacobian solve wrap copy size best i j k n".split()
+    {"T", "J", "R", "q", "q_seed", "q_free", "seed", "free_joints", "status", "row", "pose", "joint"}
+    | {"math", "np", "njit", "prange", "fk", "ik", "ik_all", "ik_into", "ik_batch", "jacobian"}
+    | {"solve", "wrap", "turn", "turned", "inside", "misfit", "straighten", "attempt", "lowest"}
+    | {"highest", "weight", "revolute", "read_pose", "choose_again", "i1", "i2", "i3", "i4"}
+    | {"NAME", "DOF", "JOINT_TYPES", "JOINT_LIMITS", "BRANCHES", "MAX_SOLUTIONS", "FREE_JOINTS"}
+    | {"OK", "UNREACHABLE", "FREE_JOINT", "OUT_OF_LIMITS", "INVALID_POSE", "LOST", "Unreachable"}
 )
 
 TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})
@@ -257,9 +261,7 @@ class Builder:
         mark.axes = self._entries[condition].axes
         self._marks.append(mark)
 
-    def finish(
-        self, name: str, results: dict[str, Node], free: list[tuple[int, Node]]
-    ) -> Program:
+    def finish(self, name: str, results: dict[str, Node], free: list[tuple[int, Node]]) -> Program:
         """The program with these results, by the names they get if they have none."""
         named = [self.name(node, wanted) for wanted, node in results.items()]
         for number, node in free:
@@ -333,7 +335,9 @@ class Builder:
             return str(leaf.value)
         assert isinstance(leaf, Variable)
         known = self._constants[leaf.name]
-        folded = leaf.name.startswith(self.folded) and any(s in known.meaning for s in (" + ", " - ", " * ", " / "))
+        folded = leaf.name.startswith(self.folded) and any(
+            s in known.meaning for s in (" + ", " - ", " * ", " / ")
+        )
         return f"({known.meaning})" if folded else leaf.name
 
     def _unique(self, wanted: str) -> str:
@@ -368,9 +372,9 @@ class Builder:
                 if self._entries[operand].axes != entry.axes:
                     wider.add(operand)
         for mark in self._marks:
-            for node in (mark.condition, mark.margin, *mark.chosen):
-                if node is not None and node >= 0:
-                    uses[node] = uses.get(node, 0) + 1
+            for wanted in (mark.condition, mark.margin, *mark.chosen):
+                if wanted is not None and wanted >= 0:
+                    uses[wanted] = uses.get(wanted, 0) + 1
             for node in mark.chosen:
                 self._names.setdefault(node, self._unique(f"chosen{node}"))
         for node in sorted(live):

@@ -1,4 +1,4 @@
-"""The forward programs: T_base_tool and the geometric Jacobian, joint by joint from base to tool."""
+"""The forward programs: T_base_tool and the geometric Jacobian, joint by joint."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def forward_program(chain: Chain) -> Program:
 
 
 def jacobian_program(chain: Chain) -> Program:
-    """The geometric Jacobian, 6 x n, row by row: velocity of the tool's origin, then angular velocity.
+    """The geometric Jacobian, 6 x n, row by row: velocity of the tool's origin, angular velocity.
 
     Column i is (z x (p - o), z) for a revolute joint with axis z through o, and (z, 0) for a
     prismatic one (B. Siciliano et al., Robotics, 2009, equations 3.30 and 3.29).
@@ -129,8 +129,12 @@ class _Walk:
         builder = self.builder
         x, y = self.columns[0], self.columns[1]
         pairs = list(zip(x, y, strict=True))
-        self.columns[0] = [builder.add(builder.mul(cosine, a), builder.mul(sine, b)) for a, b in pairs]
-        self.columns[1] = [builder.sub(builder.mul(cosine, b), builder.mul(sine, a)) for a, b in pairs]
+        self.columns[0] = [
+            builder.add(builder.mul(cosine, a), builder.mul(sine, b)) for a, b in pairs
+        ]
+        self.columns[1] = [
+            builder.sub(builder.mul(cosine, b), builder.mul(sine, a)) for a, b in pairs
+        ]
 
     def _fixed(self, transform: Transform) -> None:
         origin = self.columns[3]
@@ -149,9 +153,7 @@ class _Walk:
 
     def _plus(self, start: Vector, axis: Vector, length: Node) -> Vector:
         builder = self.builder
-        return [
-            builder.add(a, builder.mul(length, b)) for a, b in zip(start, axis, strict=True)
-        ]
+        return [builder.add(a, builder.mul(length, b)) for a, b in zip(start, axis, strict=True)]
 
     def _number(self, polynomial: Polynomial) -> Node:
         builder = self.builder

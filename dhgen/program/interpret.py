@@ -71,10 +71,12 @@ class _Run:
             "free": np.broadcast_to(np.zeros(0) if free is None else free, (count, given)),
         }
         self._shape = (count, *(2 for _ in program.axes))
-        self._values: dict[str, Array] = {c.name: np.float64(c.value) for c in program.constants}
+        self._values: dict[str, Array] = {c.name: np.array(c.value) for c in program.constants}
         for place, axis in enumerate(program.axes):
             sign = np.array([1.0, -1.0])
-            self._values[axis.name] = sign.reshape([2 if p == place + 1 else 1 for p in range(len(self._shape))])
+            self._values[axis.name] = sign.reshape(
+                [2 if p == place + 1 else 1 for p in range(len(self._shape))]
+            )
 
     def rows(self) -> Rows:
         alive = np.ones(self._shape, dtype=bool)
@@ -104,7 +106,7 @@ class _Run:
             case Variable(name):
                 return self._values[name]
             case Integer(value):
-                return np.float64(value)
+                return np.array(float(value))
             case Pose(row, column):
                 return self._column(self._poses[:, row - 1, column - 1])
             case Joint(number, role):

@@ -1,14 +1,15 @@
 """The program: straight-line single assignment over real numbers, typed by branch axes.
 
-A value is not one number but an array over the branch axes it depends on: a value of type () is one
-number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, and the signs are the only source of
-axes: the type of every other value is the union of its operands' types. A scalar target loops over
-the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is computed twice.
+A value is not one number but an array over the branch axes it depends on: a value of type () is
+one number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, and the signs are the only
+source of axes: the type of every other value is the union of its operands' types. A scalar target
+loops over the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is
+computed twice.
 
 What the language does not have: loops, jumps, memory, calls, types other than real and truth value,
-and floating-point exceptions as a means of control. Divisors are guarded by selects, so that no operand
-is ever infinite because of a branch that is not taken. A branch that has no solution fails a guard:
-its rows are then without a solution, whatever its values are.
+and floating-point exceptions as a means of control. Divisors are guarded by selects, so that no
+operand is ever infinite because of a branch that is not taken. A branch that has no solution fails a
+guard: its rows are then without a solution, whatever its values are.
 """
 
 from __future__ import annotations
@@ -18,8 +19,24 @@ from enum import Enum
 from typing import Literal
 
 Operator = Literal[
-    "add", "sub", "mul", "div", "neg", "abs", "sqrt", "atan2", "sin", "cos", "wrap",
-    "select", "less", "at_most", "and", "or", "not", "maximum",
+    "add",
+    "sub",
+    "mul",
+    "div",
+    "neg",
+    "abs",
+    "sqrt",
+    "atan2",
+    "sin",
+    "cos",
+    "wrap",
+    "select",
+    "less",
+    "at_most",
+    "and",
+    "or",
+    "not",
+    "maximum",
 ]
 
 
@@ -64,8 +81,8 @@ class Pose:
 class Joint:
     """A value that the caller gives for a joint, from 1.
 
-    The seed's or (in forward programs) the joint's own, by the joint's number; of the free joints the
-    number-th.
+    The seed's or (in forward programs) the joint's own, by the joint's number; of the free joints
+    the number-th.
     """
 
     number: int
@@ -176,4 +193,4 @@ class Program:
     @property
     def rows(self) -> int:
         """How many branches there are."""
-        return 2 ** len(self.axes)
+        return 1 << len(self.axes)

@@ -184,9 +184,7 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     assert isinstance(angle, AngleSum)
     builder = context.builder
     z1, z2 = context.lower(step.coefficient("Z1")), context.lower(step.coefficient("Z2"))
-    reach = builder.name(
-        builder.add(builder.square(z1), builder.square(z2)), f"N{angle.suffix}"
-    )
+    reach = builder.name(builder.add(builder.square(z1), builder.square(z2)), f"N{angle.suffix}")
     x, y = context.lower(step.coefficient("X")), context.lower(step.coefficient("Y"))
     k = builder.sub(reach, context.lower(step.coefficient("N")))
     builder.name(k, f"K{angle.suffix}")

@@ -90,7 +90,9 @@ class Lowering:
         """The value of a polynomial."""
         for place, symbol in enumerate(polynomial.ring.symbols):
             if any(monomial[place] for monomial in polynomial):
-                self.value(str(symbol))  # sums of angles are composed, and ranked, before they are used
+                self.value(
+                    str(symbol)
+                )  # sums of angles are composed, and ranked, before they are used
         return self.polynomials.lower(polynomial)
 
     def constant(self, name: str, value: float, meaning: str) -> Node:
@@ -214,7 +216,9 @@ class Lowering:
                 return builder.pose(i + 1, column + 1)
             total = builder.pose(i + 1, 4) if column == 3 else builder.integer(0)
             for j in range(3):
-                total = builder.add(total, builder.mul(builder.pose(i + 1, j + 1), right[j][column]))
+                total = builder.add(
+                    total, builder.mul(builder.pose(i + 1, j + 1), right[j][column])
+                )
             return total
 
         if left is None:
@@ -230,9 +234,7 @@ class Lowering:
 
     # angles
 
-    def solved_angle(
-        self, angle: AngleSum, cosine: Node, sine: Node, *, keep: bool = True
-    ) -> None:
+    def solved_angle(self, angle: AngleSum, cosine: Node, sine: Node, *, keep: bool = True) -> None:
         """An angle sum became known by its cosine and sine."""
         builder = self.builder
         builder.name(cosine, angle.cosine)

@@ -1,8 +1,8 @@
 """From polynomials to program values: nested by the order in which joints were solved.
 
-The joint solved last stands outermost, so that the inner parts depend on fewer signs and are shared.
-Linear forms that a solved equation fixes are not computed again: after X s + Y c = Z, the form X s + Y c
-is Z, and Y s - X c is the signed root.
+The joint solved last stands outermost, so that the inner parts depend on fewer signs and are
+shared. Linear forms that a solved equation fixes are not computed again: after X s + Y c = Z, the
+form X s + Y c is Z, and Y s - X c is the signed root.
 """
 
 from __future__ import annotations
@@ -26,9 +26,7 @@ class PolynomialLowering:
         builder: Where the values go.
     """
 
-    def __init__(
-        self, algebra: Algebra, builder: Builder, value: Callable[[str], Node]
-    ) -> None:
+    def __init__(self, algebra: Algebra, builder: Builder, value: Callable[[str], Node]) -> None:
         self.builder = builder
         self._algebra = algebra
         self._value = value
@@ -138,7 +136,8 @@ def _content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
 
 def _split(polynomial: Polynomial, places: set[int]) -> tuple[Polynomial, Polynomial]:
     """The terms with any of these generators, and the others."""
-    inside, outside = {}, {}
+    inside: dict[tuple[int, ...], object] = {}
+    outside: dict[tuple[int, ...], object] = {}
     for monomial, coefficient in polynomial.terms():
         target = inside if any(monomial[place] for place in places) else outside
         target[monomial] = coefficient

@@ -1,4 +1,4 @@
-"""A program as nested loops over its signs: every statement in the outermost loop that knows its signs.
+"""A program as loops over its signs: every statement in the outermost loop that knows its signs.
 
 The scalar targets print this: a tree of statements and loops, with headings where a step begins.
 """
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Guard, Heading, Let
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import Axis, Program, Statement
+    from dhgen.program.ir import Axis, Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,5 +57,5 @@ def _level(program: Program, depth: int) -> tuple[Nested, ...]:
     return tuple(body)
 
 
-def _depth(statement: Statement) -> int:
+def _depth(statement: Let | Guard) -> int:
     return max(statement.axes, default=-1) + 1

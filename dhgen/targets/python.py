@@ -5,7 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.targets.module import module_values
-from dhgen.targets.scalar import WIDTH, output_texts, row_text, solver_lines, straight_lines, wrapped
+from dhgen.targets.scalar import (
+    WIDTH,
+    output_texts,
+    row_text,
+    solver_lines,
+    straight_lines,
+    wrapped,
+)
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""Verification: the files as they will be written, on random, singular, boundary and impossible poses."""
+"""Verification of the files as they will be written, on ordinary, singular and impossible poses."""

@@ -78,7 +78,9 @@ class CompiledSolver:
         self.library[f"{self.name}_jacobian"](_pointer(q), _pointer(J))
         return J
 
-    def ik(self, T: Array, seed: Array, free: Array | None = None) -> tuple[Array, NDArray[np.uint8]]:
+    def ik(
+        self, T: Array, seed: Array, free: Array | None = None
+    ) -> tuple[Array, NDArray[np.uint8]]:
         """All rows (B, n) and their statuses (B,)."""
         q = np.empty((self.rows, self.dof))
         status = np.empty(self.rows, np.uint8)

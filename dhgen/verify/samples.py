@@ -40,7 +40,9 @@ def samples(chain: Chain, count: int) -> tuple[Sample, ...]:
     mixed = np.where(source.random(everywhere.shape) < 0.4, right, everywhere)
     near = mixed + source.choice(NEAR, mixed.shape) * source.choice([-1.0, 1.0], mixed.shape)
     low, high = _ranges(chain)
-    edge = np.where(source.random(everywhere.shape) < 0.3, np.where(right > 0, high, low), everywhere)
+    edge = np.where(
+        source.random(everywhere.shape) < 0.3, np.where(right > 0, high, low), everywhere
+    )
     return (
         Sample("random", everywhere),
         Sample("right angles", right),

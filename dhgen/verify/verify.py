@@ -79,9 +79,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
 
 
 class _Checker:
-    def __init__(
-        self, module: SolverModule, python: ModuleType, c: CompiledSolver | None
-    ) -> None:
+    def __init__(self, module: SolverModule, python: ModuleType, c: CompiledSolver | None) -> None:
         self._module = module
         self._python: Any = python
         self._c = c
@@ -121,7 +119,9 @@ class _Checker:
             for spoiled in self._spoiled(T):
                 _, status = self._call(spoiled, joints, "an impossible pose")
                 if not (status == self._python.INVALID_POSE).all():
-                    raise VerificationError(f"{self._module.name}: took a pose that is none:\n{spoiled}")
+                    raise VerificationError(
+                        f"{self._module.name}: took a pose that is none:\n{spoiled}"
+                    )
             if "P" in self._python.JOINT_TYPES or self._chain.task.kind is TaskKind.ORIENTATION:
                 continue
             far = T.copy()
