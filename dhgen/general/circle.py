@@ -23,6 +23,7 @@ SAMPLES = 24  # 17 determine f; the harmonics beyond the eighth measure the roun
 CELLS = 256
 WIDTH = 2 * pi / CELLS
 DEEPEST = 14  # how often a cell is halved before its roots count as one of higher multiplicity
+HALVINGS = 100  # in all cells together: f may be next to nothing for long stretches
 NEWTON_STEPS = 12
 
 # The quintic through f, f', f'' at both ends of a cell misses f by at most
@@ -124,6 +125,7 @@ def roots(f: Trigonometric) -> Roots:
     simple: list[float] = []
     double: list[float] = []
     complete = True
+    halvings = 0
     edges = [i * WIDTH for i in range(CELLS + 1)]
     values = [f.at(cos(x), sin(x)) for x in edges[:-1]]
     values.append(values[0])
@@ -131,16 +133,21 @@ def roots(f: Trigonometric) -> Roots:
     cells.reverse()
     while cells:
         low, at_low, high, at_high, depth = cells.pop()
-        if _rootless(f, at_low, at_high, high - low):
+        rootless, flat = _bounds(f, at_low, at_high, high - low)
+        if rootless:
             continue
-        if _bends_one_way(f, at_low, at_high, high - low) or _rises_one_way(
+        if flat:
+            complete = False
+            double.append((low + high) / 2)
+        elif _bends_one_way(f, at_low, at_high, high - low) or _rises_one_way(
             f, at_low, at_high, high - low
         ):
             _in_simple_cell(f, low, at_low, high, at_high, simple, double)
-        elif depth == DEEPEST:
+        elif depth == DEEPEST or halvings == HALVINGS:
             complete = False
             double.append((low + high) / 2)
         else:
+            halvings += 1
             middle = (low + high) / 2
             at_middle = f.at(cos(middle), sin(middle))
             cells.append((middle, at_middle, high, at_high, depth + 1))
@@ -151,8 +158,11 @@ def roots(f: Trigonometric) -> Roots:
 Values = tuple[float, float, float]
 
 
-def _rootless(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
-    """Whether the Bernstein coefficients of the quintic are all of one sign, beyond doubt."""
+def _bounds(f: Trigonometric, low: Values, high: Values, h: float) -> tuple[bool, bool]:
+    """Whether f has no root in a cell, and whether it is nothing but rounding there.
+
+    The Bernstein coefficients of the quintic through f, f', f'' at both ends enclose it.
+    """
     f0, d0, s0 = low
     f1, d1, s1 = high
     coefficients = (
@@ -164,7 +174,9 @@ def _rootless(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
         f1,
     )
     doubt = f.rounding + f.scale * QUINTIC * (h / WIDTH) ** 6
-    return min(coefficients) > doubt or max(coefficients) < -doubt
+    low_bound, high_bound = min(coefficients), max(coefficients)
+    flat = -f.rounding <= low_bound and high_bound <= f.rounding
+    return low_bound > doubt or high_bound < -doubt, flat
 
 
 def _bends_one_way(f: Trigonometric, low: Values, high: Values, h: float) -> bool:

@@ -71,6 +71,7 @@ def _tolerances() -> dict[str, object]:
         "half_cells": HALF_CELLS,
         "width": repr(circle.WIDTH),
         "deepest": circle.DEEPEST,
+        "halvings": circle.HALVINGS,
         "between": 4 * circle.NEWTON_STEPS,
         "quintic": repr(circle.QUINTIC),
         "rounding": repr(circle.ROUNDING),
