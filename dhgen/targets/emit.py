@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.targets.c import c_files
+from dhgen.targets.derivation import derivation_document
 from dhgen.targets.python import python_files
 from dhgen.targets.templates import render
 
@@ -22,5 +23,11 @@ POSE_HELPERS = {
 
 def emit(robot: Robot, derivation: Derivation, module: SolverModule) -> dict[str, str]:
     """The solver in every language, the derivation, and the pose helpers that all robots share."""
+    document = derivation_document(robot, derivation, module.solver)
     helpers = {name: render(template) for name, template in POSE_HELPERS.items()}
-    return {**python_files(module), **c_files(module), **helpers}
+    return {
+        **python_files(module),
+        **c_files(module),
+        f"{module.name}.md": document,
+        **helpers,
+    }

@@ -1,0 +1,328 @@
+"""rpr: Arm with a revolute, a prismatic and a revolute joint.
+
+Inverse kinematics, generated from robots/rpr.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/rpr.yaml. The formulas and where they come from: rpr.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
+the position T[0:3, 3] is meant; other entries are ignored.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "rpr"
+DOF = 3
+JOINT_TYPES = "RPR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left-noflip",
+    "left-flip",
+    "right-noflip",
+    "right-flip",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+free_tolerance1 = 8e-13  # a vector this short fixes no angle [length]
+a3 = 0.3  # link length 3
+d1 = 0.5  # joint offset 1
+k1 = 0.09  # a3 * a3
+reach_tolerance1 = 8.000000000000001e-14  # rounding at the boundary of the workspace [length]
+merge_tolerance1 = 8e-15  # two branches nearer than this are one [length]
+k2 = 11.111111111111112  # 1 / (a3 * a3)
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
+_WEIGHT = np.array([1.0, 1.5624999999999998, 1.0])  # of squared differences: lengths by arm size
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (3,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    v9 = s1 * s3
+    T21 = c1 * s3
+    T22 = c1 * c3
+    T24 = c1 * q[1] + T21 * a3
+    T34 = d1 - c3 * a3
+    T[0, 0] = -v9
+    T[0, 1] = -(s1 * c3)
+    T[0, 2] = c1
+    T[0, 3] = -(s1 * q[1] + v9 * a3)
+    T[1, 0] = T21
+    T[1, 1] = T22
+    T[1, 2] = s1
+    T[1, 3] = T24
+    T[2, 0] = -c3
+    T[2, 1] = s3
+    T[2, 3] = T34
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 3))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v7 = s1 * q[1]
+    v8 = c1 * q[1]
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    v9 = v7 + s1 * s3 * a3
+    v10 = v8 + c1 * s3 * a3
+    v11 = d1 - c3 * a3 - d1
+    J13 = s1 * v11
+    J33 = c1 * (v10 - v8) - s1 * (v7 - v9)
+    J[0, 0] = -v10
+    J[0, 1] = -s1
+    J[0, 2] = J13
+    J[1, 0] = -v9
+    J[1, 1] = c1
+    J[1, 2] = -(c1 * v11)
+    J[2, 2] = J33
+    J[3, 2] = c1
+    J[4, 2] = s1
+    J[5, 0] = 1.0
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(T, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+    """
+
+    # theta1: type 2
+    w1 = math.sqrt(T[1, 3] * T[1, 3] + T[0, 3] * T[0, 3])
+    free1 = w1 <= free_tolerance1
+    v12 = 1.0 if free1 else w1
+
+    # theta3: type 2
+    Z3 = T[2, 3] - d1
+    D3 = k1 - Z3 * Z3
+    v15 = 2.0 * abs(Z3)
+    apart3 = merge_tolerance1 * (v15 + merge_tolerance1) < D3
+    if not (-(reach_tolerance1 * (v15 + reach_tolerance1)) <= D3):
+        return
+    w3 = math.sqrt(D3 if apart3 else 0.0)
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1: type 2
+        if e1 < 0.0 and free1:
+            continue
+        v13 = e1 / v12
+        c1 = math.cos(seed[0]) if free1 else T[1, 3] * v13
+        s1 = math.sin(seed[0]) if free1 else -(T[0, 3] * v13)
+        q1 = math.atan2(s1, c1)
+        v14 = w1 * e1
+
+        for i2 in range(2):  # noflip, flip
+            e2 = 1.0 - 2.0 * i2
+            # theta3: type 2
+            if e2 < 0.0 and not apart3:
+                continue
+            v16 = k2 * (a3 * (w3 * e2))
+            q3 = math.atan2(-v16, -(k2 * (a3 * Z3)))
+
+            # r2: type 1
+            v17 = a3 * v16
+            r2 = v14 + v17
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = r2
+            q[row, 2] = q3
+            status[row] = FREE_JOINT if free1 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _fit(T):
+    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
+    if not math.isfinite(T[0, 3]):
+        return 0
+    if not math.isfinite(T[1, 3]):
+        return 0
+    if not math.isfinite(T[2, 3]):
+        return 0
+    return 1
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    if not _REVOLUTE[joint]:
+        return value
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q (4, 3) and status (4,); how many are OK or FREE_JOINT."""
+    fit = _fit(T)
+    for row in range(4):
+        status[row] = UNREACHABLE if fit else INVALID_POSE
+        for i in range(3):
+            q[row, i] = math.nan
+    if not fit:
+        return 0
+    pose = T
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(4):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(3):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions without allocation, for control loops.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (4, 3), NaN where there is no solution; float64.
+        status: Filled with what each row holds (4,); uint8.
+        q_seed: Values for joints that are indeterminate (3,).
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (4, 3) and status (4,); row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (3,); zeros without it.
+    """
+    q = np.empty((4, 3))
+    status = np.empty(4, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_pose(T), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (3,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
+    rows = range(4) if branch is None else [_row(branch)]
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(reason + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores: q (N, 4, 3) and status (N, 4)."""
+    T = np.ascontiguousarray(T, np.float64)
+    if T.ndim != 3 or T.shape[1:] != (4, 4):
+        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    q = np.empty((len(T), 4, 3))
+    status = np.empty((len(T), 4), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _pose(T):
+    T = np.asarray(T, np.float64)
+    if T.shape != (4, 4):
+        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
+    return np.ascontiguousarray(T)
+
+
+def _vector(values, size, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != (size,):
+        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
