@@ -7,7 +7,9 @@ bounds, not by sign changes alone: a pair of roots inside a cell would be missed
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from functools import cache
+from itertools import pairwise
 from math import cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
@@ -83,6 +85,15 @@ class Roots:
     complete: bool
 
 
+class Kind(Enum):
+    """What is known about f in a cell of the circle."""
+
+    ROOTLESS = "no root"
+    FLAT = "nothing but rounding"
+    TAME = "one extremum at most"
+    WILD = "none of these"
+
+
 @cache
 def sample_cosines() -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Cosines and sines of the 24 sample angles 2πk/24, from square roots alone."""
@@ -133,17 +144,12 @@ def roots(f: Trigonometric) -> Roots:
     cells.reverse()
     while cells:
         low, at_low, high, at_high, depth = cells.pop()
-        rootless, flat = _bounds(f, at_low, at_high, high - low)
-        if rootless:
+        kind = _kind(f, at_low, at_high, high - low)
+        if kind is Kind.ROOTLESS:
             continue
-        if flat:
-            complete = False
-            double.append((low + high) / 2)
-        elif _bends_one_way(f, at_low, at_high, high - low) or _rises_one_way(
-            f, at_low, at_high, high - low
-        ):
+        if kind is Kind.TAME:
             _in_simple_cell(f, low, at_low, high, at_high, simple, double)
-        elif depth == DEEPEST or halvings == HALVINGS:
+        elif kind is Kind.FLAT or depth == DEEPEST or halvings == HALVINGS:
             complete = False
             double.append((low + high) / 2)
         else:
@@ -158,37 +164,37 @@ def roots(f: Trigonometric) -> Roots:
 Values = tuple[float, float, float]
 
 
-def _bounds(f: Trigonometric, low: Values, high: Values, h: float) -> tuple[bool, bool]:
-    """Whether f has no root in a cell, and whether it is nothing but rounding there.
+def _kind(f: Trigonometric, low: Values, high: Values, h: float) -> Kind:
+    """What is known about f in a cell.
 
-    The Bernstein coefficients of the quintic through f, f', f'' at both ends enclose it.
+    The Bernstein coefficients of the quintic through f, f', f'' at both ends, their first and
+    their second differences bound f, f' and f''.
     """
     f0, d0, s0 = low
     f1, d1, s1 = high
-    coefficients = (
+    coefficients = [
         f0,
         f0 + h * d0 / 5,
         f0 + 2 * h * d0 / 5 + h * h * s0 / 20,
         f1 - 2 * h * d1 / 5 + h * h * s1 / 20,
         f1 - h * d1 / 5,
         f1,
-    )
-    doubt = f.rounding + f.scale * QUINTIC * (h / WIDTH) ** 6
-    low_bound, high_bound = min(coefficients), max(coefficients)
-    flat = -f.rounding <= low_bound and high_bound <= f.rounding
-    return low_bound > doubt or high_bound < -doubt, flat
+    ]
+    part = h / WIDTH
+    doubt = f.rounding + f.scale * QUINTIC * part**6
+    if _of_one_sign(coefficients, doubt):
+        return Kind.ROOTLESS
+    if max(map(abs, coefficients)) <= f.rounding:
+        return Kind.FLAT
+    first = [b - a for a, b in pairwise(coefficients)]
+    second = [b - a for a, b in pairwise(first)]
+    if _of_one_sign(first, doubt * part) or _of_one_sign(second, doubt * part**2):
+        return Kind.TAME
+    return Kind.WILD
 
 
-def _bends_one_way(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
-    """Whether f'' keeps its sign: |f'''| is at most 8³ times the largest value."""
-    least = min(abs(low[2]), abs(high[2]))
-    return low[2] * high[2] > 0 and least > f.scale * 8**4 * h * h / 8 + 64 * f.rounding
-
-
-def _rises_one_way(f: Trigonometric, low: Values, high: Values, h: float) -> bool:
-    """Whether f' keeps its sign: it stays near the line between its ends."""
-    least = min(abs(low[1]), abs(high[1]))
-    return low[1] * high[1] > 0 and least > f.scale * 8**3 * h * h / 8 + 8 * f.rounding
+def _of_one_sign(numbers: list[float], doubt: float) -> bool:
+    return min(numbers) > doubt or max(numbers) < -doubt
 
 
 def _in_simple_cell(

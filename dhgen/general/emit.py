@@ -86,6 +86,7 @@ def _tolerances() -> dict[str, object]:
         "batches": 8,
         "tie": repr(1e-9),
         "rank": repr(1e-9),
+        "singular": repr(1e-6),
         "good_enough": repr(1e-29),
         "smallest": repr(1e-15),
         "plane": repr(1e-24),
