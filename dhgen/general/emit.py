@@ -126,11 +126,12 @@ def _padded(row: Sequence[float], length: int) -> list[float]:
 
 
 def _nudges() -> tuple[Matrix, ...]:
-    """Two small motions: the quaternion (1, v) to length one, and a translation."""
-    small = reference.NUDGE
-    return (
-        _motion((0.41 * small, -0.37 * small, 0.29 * small), (0.53 * small, 0.71 * small, -0.47 * small)),
-        _motion((-0.23 * small, 0.43 * small, 0.31 * small), (-0.61 * small, 0.29 * small, 0.67 * small)),
+    """Small motions of growing size: the quaternion (1, v) to length one, and a translation."""
+    return tuple(
+        _motion(
+            (size * a, size * b, size * c), (size * x, size * y, size * z)
+        )
+        for size, (a, b, c, x, y, z) in zip(reference.NUDGES, reference.NUDGE_DIRECTIONS, strict=True)
     )
 
 

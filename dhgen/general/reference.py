@@ -31,7 +31,16 @@ RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
 SAME = 1e-6  # solutions closer than this are one [rad]
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
-NUDGE = 1e-3  # how far the pose is moved when both formulations fail
+# How far, and where to, the pose is moved when both formulations fail: where roots crowd, they
+# come apart only at some distance.
+NUDGES = (1e-3, 3e-3, 1e-2, 3e-2, 3e-2)
+NUDGE_DIRECTIONS = (
+    (0.41, -0.37, 0.29, 0.53, 0.71, -0.47),
+    (-0.23, 0.43, 0.31, -0.61, 0.29, 0.67),
+    (0.39, 0.33, -0.45, 0.59, -0.43, 0.31),
+    (-0.47, 0.27, -0.35, 0.37, 0.61, 0.57),
+    (0.33, 0.49, 0.23, -0.51, -0.67, 0.41),
+)
 STARTS = 60
 
 
