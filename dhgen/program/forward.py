@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
-    from dhgen.program.builder import Node
+    from dhgen.program.graph import Node
     from dhgen.program.ir import Program
 
 Vector = list["Node"]

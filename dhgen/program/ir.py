@@ -6,10 +6,10 @@ source of axes: the type of every other value is the union of its operands' type
 loops over the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is
 computed twice.
 
-What the language does not have: loops, jumps, memory, calls, types other than real and truth value,
-and floating-point exceptions as a means of control. Divisors are guarded by selects, so that no
-operand is ever infinite because of a branch that is not taken. A branch that has no solution fails a
-guard: its rows are then without a solution, whatever its values are.
+What the language does not have: loops, jumps, memory, calls, types other than real and truth
+value, and floating-point exceptions as a means of control. Divisors are guarded by selects, so
+that no operand is ever infinite because of a branch that is not taken. A branch that has no
+solution fails a guard: its rows are then without a solution, whatever its values are.
 """
 
 from __future__ import annotations

@@ -11,14 +11,22 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
-from dhgen.program.ir import Failure
+from dhgen.program.roots import (
+    finish,
+    is_short,
+    is_short_square,
+    keep_one,
+    letters,
+    remember,
+    signed_root,
+)
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from dhgen.paul.step import Step
-    from dhgen.program.builder import Node
+    from dhgen.program.graph import Node
     from dhgen.program.lower import Lowering
 
 
@@ -26,10 +34,8 @@ def lower_length(context: Lowering, step: Step) -> None:
     """Type 1: r = Y / X."""
     (unknown,) = step.unknowns
     assert isinstance(unknown, Length)
-    value = context.builder.div(
-        context.lower(step.coefficient("Y")), context.lower(step.coefficient("X"))
-    )
-    context.solved_slide(unknown.name, value)
+    y, x = letters(context, step, "Y X")
+    context.angles.solved_slide(unknown.name, context.builder.div(y, x))
 
 
 def lower_angle(context: Lowering, step: Step) -> None:
@@ -37,49 +43,53 @@ def lower_angle(context: Lowering, step: Step) -> None:
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
-    x = builder.name(context.lower(step.coefficient("X")), f"X{angle.suffix}")
-    y = builder.name(context.lower(step.coefficient("Y")), f"Y{angle.suffix}")
-    degree = max(context.degree(step.coefficient("X")), context.degree(step.coefficient("Y")))
+    factors = step.coefficient("X"), step.coefficient("Y")
+    x = builder.name(context.lower(factors[0]), f"X{angle.suffix}")
+    y = builder.name(context.lower(factors[1]), f"Y{angle.suffix}")
+    degree = context.scales.degree(*factors)
     if not step.coefficient("Z"):
-        _homogeneous(context, step, angle, x, y, degree)
+        _lower_homogeneous(context, step, (x, y), degree)
         return
     z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
     square = builder.name(builder.add(builder.square(x), builder.square(y)), f"N{angle.suffix}")
     discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
-    fixed = context.algebra_constant(step.coefficient("X"), step.coefficient("Y"))
-    free = None if fixed else _is_short_square(context, square, degree, angle)
+    fixed = context.are_constant(*factors)
+    free = None if fixed else is_short_square(context, square, degree, angle)
     twice = builder.mul(builder.integer(2), builder.absolute(z))
     limits = [
         builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
-        for delta in context.distances(degree)
+        for delta in context.scales.distances(degree)
     ]
     inside = builder.apply("at_most", builder.neg(limits[0]), discriminant)
     apart = builder.apply("less", limits[1], discriminant)
-    root = _signed_root(context, angle, discriminant, inside, apart, free)
+    root = signed_root(context, angle, discriminant, inside, apart, free)
     safe = square if free is None else builder.select(free, builder.integer(1), square)
     inverse = builder.div(builder.integer(1), safe)
     sine = builder.add(builder.mul(x, z), builder.mul(y, root))
     cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
-    _finish(context, step, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
-    _remember(context, step, angle, z, root)
+    finish(context, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
+    remember(context, step, angle, z, root)
 
 
-def _homogeneous(
-    context: Lowering, step: Step, angle: AngleSum, x: Node, y: Node, degree: int
+def _lower_homogeneous(
+    context: Lowering, step: Step, vector: tuple[Node, Node], degree: int
 ) -> None:
     """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
     builder = context.builder
+    x, y = vector
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
-    free = _is_short(context, length, degree, angle)
+    free = is_short(context, length, degree, angle)
     sign = context.new_sign()
-    _merge(context, sign, free)
+    keep_one(context, sign, free)
     safe = builder.select(free, builder.integer(1), length)
     factor = builder.div(sign, safe)
     cosine = builder.neg(builder.mul(x, factor))
-    _finish(context, step, angle, cosine, builder.mul(y, factor), free)
+    finish(context, angle, cosine, builder.mul(y, factor), free)
     root = builder.mul(sign, length)
-    _remember(context, step, angle, builder.integer(0), root)
+    remember(context, step, angle, builder.integer(0), root)
 
 
 def lower_angle_pair(context: Lowering, step: Step) -> None:
@@ -87,28 +97,25 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
-    x1, y1, z1, x2, y2, z2 = (
-        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "Z1", "X2", "Y2", "Z2")
-    )
+    x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
     determinant = builder.sub(builder.mul(x1, y2), builder.mul(x2, y1))
     sine = builder.sub(builder.mul(z1, y2), builder.mul(z2, y1))
     cosine = builder.sub(builder.mul(x1, z2), builder.mul(x2, z1))
     factors = [step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")]
-    if context.algebra_constant(*factors) and not context.redundant:
+    if context.are_constant(*factors) and not context.redundant:
         sine, cosine = builder.div(sine, determinant), builder.div(cosine, determinant)
-        _finish(context, step, angle, cosine, sine, None)
+        finish(context, angle, cosine, sine)
         return
-    degree = max(context.degree(f) for f in factors) + max(
-        context.degree(step.coefficient(letter)) for letter in ("Z1", "Z2")
-    )
+    sides = step.coefficient("Z1"), step.coefficient("Z2")
+    degree = context.scales.degree(*factors) + context.scales.degree(*sides)
     facing = _sign_of(context, determinant, step)
     length = builder.apply("sqrt", builder.add(builder.square(sine), builder.square(cosine)))
     length = builder.name(length, f"w{angle.suffix}")
     # the product of two vectors of equal length, which vanish together
-    free = _is_short_square(context, length, degree // 2, angle)
+    free = is_short_square(context, length, degree // 2, angle)
     safe = builder.select(free, builder.integer(1), length)
     factor = builder.div(facing, safe)
-    _finish(context, step, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
+    finish(context, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
 
 
 def _sign_of(context: Lowering, determinant: Node, step: Step) -> Node:
@@ -129,18 +136,16 @@ def lower_polar(context: Lowering, step: Step) -> None:
     assert isinstance(angle, AngleSum)
     assert isinstance(unknown, Length)
     builder = context.builder
-    x1, y1, x2, y2 = (
-        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "X2", "Y2")
-    )
+    x1, y1, x2, y2 = letters(context, step, "X1 Y1 X2 Y2")
     u, v = builder.div(y1, x1), builder.div(y2, x2)
     length = builder.apply("sqrt", builder.add(builder.square(u), builder.square(v)))
     length = builder.name(length, f"w{unknown.joint}")
-    free = _is_short(context, length, 1, angle)
+    free = is_short(context, length, 1, angle)
     sign = context.new_sign()
-    _merge(context, sign, free)
+    keep_one(context, sign, free)
     factor = builder.div(sign, builder.select(free, builder.integer(1), length))
-    _finish(context, step, angle, builder.mul(v, factor), builder.mul(u, factor), free)
-    context.solved_slide(unknown.name, builder.mul(sign, length))
+    finish(context, angle, builder.mul(v, factor), builder.mul(u, factor), free)
+    context.angles.solved_slide(unknown.name, builder.mul(sign, length))
 
 
 def lower_angle_and_length(context: Lowering, step: Step) -> None:
@@ -152,9 +157,7 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     assert isinstance(angle, AngleSum)
     assert isinstance(unknown, Length)
     builder = context.builder
-    x1, y1, z1, x2, y2, z2 = (
-        context.lower(step.coefficient(letter)) for letter in ("X1", "Y1", "Z1", "X2", "Y2", "Z2")
-    )
+    x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
     v1, w1 = builder.div(y1, x1), builder.div(z1, x1)
     v2, w2 = builder.div(y2, x2), builder.div(z2, x2)
     a = builder.add(builder.square(w1), builder.square(w2))
@@ -162,16 +165,17 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
     discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}")
     reach, merge = (
-        builder.mul(builder.mul(builder.integer(2), a), delta) for delta in context.distances(0)
+        builder.mul(builder.mul(builder.integer(2), a), delta)
+        for delta in context.scales.distances(0)
     )
     inside = builder.apply("at_most", builder.neg(reach), discriminant)
     apart = builder.apply("less", merge, discriminant)
-    root = _signed_root(context, angle, discriminant, inside, apart, None)
+    root = signed_root(context, angle, discriminant, inside, apart)
     r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
-    context.solved_slide(unknown.name, r)
+    context.angles.solved_slide(unknown.name, r)
     sine = builder.add(v1, builder.mul(w1, r))
     cosine = builder.add(v2, builder.mul(w2, r))
-    _finish(context, step, angle, cosine, sine, None)
+    finish(context, angle, cosine, sine)
 
 
 def lower_two_angles(context: Lowering, step: Step) -> None:
@@ -183,92 +187,30 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
-    z1, z2 = context.lower(step.coefficient("Z1")), context.lower(step.coefficient("Z2"))
+    z1, z2 = letters(context, step, "Z1 Z2")
     reach = builder.name(builder.add(builder.square(z1), builder.square(z2)), f"N{angle.suffix}")
-    x, y = context.lower(step.coefficient("X")), context.lower(step.coefficient("Y"))
-    k = builder.sub(reach, context.lower(step.coefficient("N")))
-    builder.name(k, f"K{angle.suffix}")
+    x, y, n = letters(context, step, "X Y N")
+    k = builder.name(builder.sub(reach, n), f"K{angle.suffix}")
     square = builder.add(builder.square(x), builder.square(y))
-    longest, shortest = context.extreme_reach(step, "square of the {} reach")
+    number, extremes = context.step_number, context.scales.extreme_reach
+    longest, shortest = extremes(step, number, "square of the {} reach")
     discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
     builder.name(discriminant, f"D{angle.suffix}")
-    far, near = context.extreme_reach(step, "the same, {} by rounding", TOLERANCES.reach)
+    far, near = extremes(step, number, "the same, {} by rounding", TOLERANCES.reach)
     inside = builder.apply(
         "and", builder.apply("at_most", near, reach), builder.apply("at_most", reach, far)
     )
-    below, above = context.extreme_reach(step, "the same, {} for merging", -TOLERANCES.merge)
+    below, above = extremes(step, number, "the same, {} for merging", -TOLERANCES.merge)
     apart = builder.apply(
         "and", builder.apply("less", above, reach), builder.apply("less", reach, below)
     )
-    root = _signed_root(context, angle, discriminant, inside, apart, None)
+    root = signed_root(context, angle, discriminant, inside, apart)
     if builder.is_zero(x):
         sine, cosine = builder.div(root, y), builder.div(k, y)
     else:
         sine = builder.div(builder.add(builder.mul(x, k), builder.mul(y, root)), square)
         cosine = builder.div(builder.sub(builder.mul(y, k), builder.mul(x, root)), square)
-    _finish(context, step, angle, cosine, sine, None)
-
-
-def _signed_root(
-    context: Lowering,
-    angle: AngleSum,
-    discriminant: Node,
-    inside: Node,
-    apart: Node,
-    free: Node | None,
-) -> Node:
-    """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet."""
-    builder = context.builder
-    builder.guard(inside, Failure.REACH, discriminant, context.free_flags())
-    builder.name(apart, f"apart{angle.suffix}")
-    kept = builder.select(apart, discriminant, builder.integer(0))
-    length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
-    sign = context.new_sign()
-    met = builder.apply("not", apart)
-    _merge(context, sign, met if free is None else builder.apply("or", met, free))
-    return builder.mul(sign, length)
-
-
-def _merge(context: Lowering, sign: Node, met: Node) -> None:
-    """Where both signs give the same, only + keeps it."""
-    builder = context.builder
-    plus = builder.apply("less", builder.integer(0), sign)
-    keep = builder.apply("or", plus, builder.apply("not", met))
-    builder.guard(keep, Failure.MERGED)
-
-
-def _is_short(context: Lowering, length: Node, degree: int, angle: AngleSum) -> Node:
-    builder = context.builder
-    limit = context.tolerance(TOLERANCES.free, degree, "free")
-    return builder.name(builder.apply("at_most", length, limit), f"free{angle.suffix}")
-
-
-def _is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
-    builder = context.builder
-    limit = context.tolerance(TOLERANCES.free**2, 2 * degree, "free_square")
-    return builder.name(builder.apply("at_most", square, limit), f"free{angle.suffix}")
-
-
-def _finish(
-    context: Lowering, step: Step, angle: AngleSum, cosine: Node, sine: Node, free: Node | None
-) -> None:
-    """The angle is known; where it is free the seed's value stands for it."""
-    del step
-    builder = context.builder
-    if free is not None:
-        seed = context.seed_angle(angle)
-        context.chosen(angle, free)
-        cosine = builder.select(free, builder.apply("cos", seed), cosine)
-        sine = builder.select(free, builder.apply("sin", seed), sine)
-    context.solved_angle(angle, cosine, sine)
-
-
-def _remember(context: Lowering, step: Step, angle: AngleSum, z: Node, root: Node) -> None:
-    """X s + Y c is Z and Y s - X c is the signed root: later steps need not compute them."""
-    x, y = step.coefficient("X"), step.coefficient("Y")
-    s, c = context.generators(angle)
-    context.polynomials.remember(x * s + y * c, z)
-    context.polynomials.remember(y * s - x * c, root)
+    finish(context, angle, cosine, sine)
 
 
 KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.program.builder import Builder, Node
+    from dhgen.program.builder import Builder
+    from dhgen.program.graph import Node
 
 
 class PolynomialLowering:
@@ -58,12 +59,21 @@ class PolynomialLowering:
 
     def lower(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial."""
-        builder = self.builder
+        for place, name in enumerate(self._names):
+            if any(monomial[place] for monomial in polynomial):
+                self._value(name)  # sums of angles are composed, and ranked, before they are used
+        return self._lower(polynomial)
+
+    def _lower(self, polynomial: Polynomial) -> Node:
         if not polynomial:
-            return builder.integer(0)
+            return self.builder.integer(0)
         factor, primitive = _primitive(polynomial)
         content, rest = _content(primitive)
-        node = self._nested(rest)
+        return self._scaled(self._nested(rest), factor, content)
+
+    def _scaled(self, node: Node, factor: Fraction, content: tuple[int, ...]) -> Node:
+        """factor * monomial * node."""
+        builder = self.builder
         for place, exponent in enumerate(content):
             for _ in range(exponent):
                 node = builder.mul(self._value(self._names[place]), node)
@@ -84,7 +94,7 @@ class PolynomialLowering:
         group = set(pair) if pair is not None and self._rank.get(outermost, 0) > 0 else {outermost}
         inside, outside = _split(polynomial, group)
         total = self._known_or_sum(inside, sorted(group))
-        return self.builder.add(total, self.lower(outside)) if outside else total
+        return self.builder.add(total, self._lower(outside)) if outside else total
 
     def _known_or_sum(self, inside: Polynomial, group: list[int]) -> Node:
         """The terms in one joint: a remembered form, or c A + s B."""
@@ -92,19 +102,14 @@ class PolynomialLowering:
         factor, primitive = _primitive(inside)
         content, rest = _content(primitive)
         if rest in self._forms and not any(content[place] for place in group):
-            node = self._forms[rest]
-            for place, exponent in enumerate(content):
-                for _ in range(exponent):
-                    node = builder.mul(self._value(self._names[place]), node)
-            scaled = builder.mul(builder.integer(factor.numerator), node)
-            return builder.div(scaled, builder.integer(factor.denominator))
+            return self._scaled(self._forms[rest], factor, content)
         total = builder.integer(0)
         for place in group:
             part, inside = _split(inside, {place})
             if part:
                 quotient = _divided(part, place)
                 total = builder.add(
-                    total, builder.mul(self._value(self._names[place]), self.lower(quotient))
+                    total, builder.mul(self._value(self._names[place]), self._lower(quotient))
                 )
         return total
 

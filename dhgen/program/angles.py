@@ -1,0 +1,159 @@
+"""Angles that are known so far: of joints, and of sums of joints about parallel axes.
+
+A joint's angle is a difference of solved sums (q3 = theta23 - q2), a sum that an equation names is
+composed of solved ones; both are paths between cuts of a run of parallel axes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.knowledge import build_runs
+from dhgen.program.joints import JointVariables
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.paul.knowledge import Cut
+    from dhgen.program.builder import Builder
+    from dhgen.program.graph import Node
+    from dhgen.program.polynomials import PolynomialLowering
+
+Path = list[tuple[AngleSum, int]]  # solved sums, with their signs along the run
+
+
+class Angles:
+    """What is known of the joints.
+
+    Args:
+        algebra: The arm and its ring.
+        builder: Where values go.
+        polynomials: Is told what became known.
+        values: Values of the ring's generators by name; solved ones are added.
+    """
+
+    def __init__(
+        self,
+        algebra: Algebra,
+        builder: Builder,
+        polynomials: PolynomialLowering,
+        values: dict[str, Node],
+    ) -> None:
+        self._algebra = algebra
+        self._builder = builder
+        self._polynomials = polynomials
+        self._values = values
+        self._runs = build_runs(algebra)
+        self._joints = JointVariables(algebra.chain, builder)
+        self._angles: dict[AngleSum, Node] = {}
+        self._free: dict[int, list[Node]] = {}
+
+    def solved(self, angle: AngleSum, cosine: Node, sine: Node) -> None:
+        """An angle sum became known by its cosine and sine."""
+        self._known(angle, cosine, sine)
+        self._angles[angle] = self._builder.apply("atan2", sine, cosine)
+
+    def solved_slide(self, name: str, value: Node) -> None:
+        """The length of a prismatic joint became known."""
+        self._values[name] = self._builder.name(value, name)
+        self._polynomials.solved(name)
+
+    def take_given(self, joint: int) -> None:
+        """The caller gives the value of this joint."""
+        value = self._joints.given(joint)
+        if joint in self._algebra.slides:
+            self.solved_slide(self._algebra.slides[joint], value)
+            return
+        angle = AngleSum(((joint, 1),))
+        self._known(angle, self._builder.apply("cos", value), self._builder.apply("sin", value))
+        self._angles[angle] = value
+
+    def compose(self, angle: AngleSum) -> None:
+        """Cosine and sine of an angle sum from those of solved ones."""
+        start, end, facing = self._runs.ends(angle)
+        path = self._connect(start, end)
+        assert path is not None
+        builder = self._builder
+        cosine, sine = builder.integer(1), builder.integer(0)
+        for part, sign in path:
+            c, s = self._values[part.cosine], self._values[part.sine]
+            s = s if sign * facing > 0 else builder.neg(s)
+            cosine, sine = (
+                builder.sub(builder.mul(cosine, c), builder.mul(sine, s)),
+                builder.add(builder.mul(sine, c), builder.mul(cosine, s)),
+            )
+        self._known(angle, cosine, sine)
+
+    def seed(self, angle: AngleSum) -> Node:
+        """An angle sum with the seed's values for its unknown joints."""
+        builder = self._builder
+        total = builder.integer(0)
+        for joint, sign in angle.terms:
+            known = self._path(joint) is not None
+            part = self._of(joint) if known else self._joints.seed(joint)
+            total = builder.add(total, part if sign > 0 else builder.neg(part))
+        return total
+
+    def chosen(self, angle: AngleSum, flag: Node) -> None:
+        """The unknown joints of this angle sum take the seed's values where the flag is true."""
+        for joint, _ in angle.terms:
+            if self._path(joint) is None:
+                self._free.setdefault(joint, []).append(flag)
+
+    def free_flags(self) -> list[tuple[int, Node]]:
+        """The joints that may have been chosen so far, with the truth values that say so."""
+        return [(joint, flag) for joint, flags in self._free.items() for flag in flags]
+
+    def free_joints(self) -> list[tuple[int, Node]]:
+        """For every joint that may have been chosen, the truth value that says so."""
+        return [(joint, self._any(flags)) for joint, flags in sorted(self._free.items())]
+
+    def joint_value(self, joint: int) -> Node:
+        """The value of a joint as the caller counts it."""
+        slide = self._algebra.slides.get(joint)
+        inner = self._of(joint) if slide is None else self._values[slide]
+        return self._joints.result(joint, inner, wrapped=inner in self._angles.values())
+
+    def _known(self, angle: AngleSum, cosine: Node, sine: Node) -> None:
+        self._builder.name(cosine, angle.cosine)
+        self._builder.name(sine, angle.sine)
+        self._values[angle.cosine], self._values[angle.sine] = cosine, sine
+        self._polynomials.solved(angle.cosine, angle.sine)
+
+    def _path(self, joint: int) -> Path | None:
+        """Solved angle sums that add up to a joint's angle."""
+        run, place = self._runs.place[joint]
+        return self._connect((run, place), (run, place + 1))
+
+    def _connect(self, start: Cut, end: Cut) -> Path | None:
+        """The shortest chain of solved angle sums between two cuts."""
+        reached: dict[Cut, Path] = {start: []}
+        frontier = [start]
+        while frontier:
+            cut = frontier.pop(0)
+            for angle in self._angles:
+                low, high, sign = self._runs.ends(angle)
+                for here, there, facing in ((low, high, sign), (high, low, -sign)):
+                    if here == cut and there not in reached:
+                        reached[there] = [*reached[cut], (angle, facing)]
+                        frontier.append(there)
+        return reached.get(end)
+
+    def _of(self, joint: int) -> Node:
+        """The angle of a joint that is known."""
+        run, place = self._runs.place[joint]
+        facing = self._runs.runs[run][place][1]
+        path = self._path(joint)
+        assert path is not None
+        builder = self._builder
+        total = builder.integer(0)
+        for angle, sign in path:
+            part = self._angles[angle]
+            total = builder.add(total, part if sign * facing > 0 else builder.neg(part))
+        return total
+
+    def _any(self, flags: list[Node]) -> Node:
+        total = flags[0]
+        for flag in flags[1:]:
+            total = self._builder.apply("or", total, flag)
+        return total

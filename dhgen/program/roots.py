@@ -1,0 +1,91 @@
+"""What kernels share: signed roots and their guards, free joints, and the end of a step."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Failure
+from dhgen.program.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import AngleSum
+    from dhgen.paul.step import Step
+    from dhgen.program.graph import Node
+    from dhgen.program.lower import Lowering
+
+
+def letters(context: Lowering, step: Step, names: str) -> tuple[Node, ...]:
+    """The values of some of the type's letters, named with spaces between."""
+    return tuple(context.lower(step.coefficient(name)) for name in names.split())
+
+
+def signed_root(
+    context: Lowering,
+    angle: AngleSum,
+    discriminant: Node,
+    inside: Node,
+    apart: Node,
+    free: Node | None = None,
+) -> Node:
+    """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet.
+
+    Args:
+        context: The program in the making.
+        angle: For names.
+        discriminant: D.
+        inside: Whether D is not negative, up to rounding.
+        apart: Whether D is positive beyond rounding: the roots are two.
+        free: Whether the step fixes nothing, so that one root is enough.
+    """
+    builder = context.builder
+    builder.guard(inside, Failure.REACH, discriminant, context.angles.free_flags())
+    builder.name(apart, f"apart{angle.suffix}")
+    kept = builder.select(apart, discriminant, builder.integer(0))
+    length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
+    sign = context.new_sign()
+    met = builder.apply("not", apart)
+    keep_one(context, sign, met if free is None else builder.apply("or", met, free))
+    return builder.mul(sign, length)
+
+
+def keep_one(context: Lowering, sign: Node, met: Node) -> None:
+    """Where both signs give the same, only + keeps it."""
+    builder = context.builder
+    plus = builder.apply("less", builder.integer(0), sign)
+    keep = builder.apply("or", plus, builder.apply("not", met))
+    builder.guard(keep, Failure.MERGED)
+
+
+def is_short(context: Lowering, length: Node, degree: int, angle: AngleSum) -> Node:
+    """Whether a vector is too short to fix an angle."""
+    limit = context.scales.tolerance(TOLERANCES.free, degree, "free")
+    short = context.builder.apply("at_most", length, limit)
+    return context.builder.name(short, f"free{angle.suffix}")
+
+
+def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
+    """The same from the square of its length, or the product of two that vanish together."""
+    limit = context.scales.tolerance(TOLERANCES.free**2, 2 * degree, "free_square")
+    short = context.builder.apply("at_most", square, limit)
+    return context.builder.name(short, f"free{angle.suffix}")
+
+
+def finish(
+    context: Lowering, angle: AngleSum, cosine: Node, sine: Node, free: Node | None = None
+) -> None:
+    """The angle is known; where it is free the seed's value stands for it."""
+    builder = context.builder
+    if free is not None:
+        seed = context.angles.seed(angle)
+        context.angles.chosen(angle, free)
+        cosine = builder.select(free, builder.apply("cos", seed), cosine)
+        sine = builder.select(free, builder.apply("sin", seed), sine)
+    context.angles.solved(angle, cosine, sine)
+
+
+def remember(context: Lowering, step: Step, angle: AngleSum, z: Node, root: Node) -> None:
+    """X s + Y c is Z and Y s - X c is the signed root: later steps need not compute them."""
+    x, y = step.coefficient("X"), step.coefficient("Y")
+    s, c = context.generators(angle)
+    context.polynomials.remember(x * s + y * c, z)
+    context.polynomials.remember(y * s - x * c, root)

@@ -1,0 +1,100 @@
+"""Numbers besides the arm's lengths: tolerances in its size, and its longest and shortest reach."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from dhgen.program.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.pool import Pool
+    from dhgen.paul.step import Step
+    from dhgen.program.builder import Builder
+    from dhgen.program.graph import Node
+
+_REASONS = {
+    "free": "a vector this short fixes no angle",
+    "free_square": "the same, squared",
+    "reach": "rounding at the boundary of the workspace",
+    "merge": "two branches nearer than this are one",
+    "consistent": "a pose may be rounded by this",
+}
+
+
+class Scales:
+    """Constants that depend on the arm's size.
+
+    Args:
+        pool: The equations, with the points that have names.
+        builder: Where constants go.
+    """
+
+    def __init__(self, pool: Pool, builder: Builder) -> None:
+        self._algebra = pool.problem.algebra
+        self._builder = builder
+        self._size = self._algebra.chain.size
+        self._constants = self._algebra.chain.constants
+        points = [name for point in pool.points for name in point.names]
+        lengths = [constant.name for constant in self._constants if constant.is_length]
+        names = ["t14", "t24", "t34", *self._algebra.slides.values(), *points, *lengths]
+        self._lengths = [self._algebra.index[name] for name in names]
+
+    def tolerance(self, relative: float, degree: int, kind: str) -> Node:
+        """A tolerance for a value that is a product of `degree` lengths."""
+        units = {0: "", 1: " [length]"}
+        unit = units.get(degree, f" [length^{degree}]")
+        name = f"{kind}_tolerance{degree or ''}"
+        value = relative * self._size**degree
+        return self._builder.constant(name, value, f"{_REASONS[kind]}{unit}")
+
+    def distances(self, degree: int) -> tuple[Node, Node]:
+        """What rounding may do to a value of this many lengths: for reaching, and for merging."""
+        reach = self.tolerance(TOLERANCES.reach, degree, "reach")
+        return reach, self.tolerance(TOLERANCES.merge, degree, "merge")
+
+    def degree(self, *polynomials: Polynomial) -> int:
+        """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
+        degrees = (
+            sum(monomial[place] for place in self._lengths)
+            for polynomial in polynomials
+            for monomial in list(polynomial)[:1]
+        )
+        return max(degrees, default=0)
+
+    def extreme_reach(
+        self, step: Step, number: int, meaning: str, widened: float = 0.0
+    ) -> tuple[Node, Node]:
+        """Squares of the longest and shortest |V + W| of two links V and W that turn freely.
+
+        Args:
+            step: The step, with V and W made of lengths alone.
+            number: The step's number, for names.
+            meaning: For comments; {} is longest or shortest.
+            widened: By how much both reaches are moved apart [arm sizes].
+        """
+        v, w = (
+            math.hypot(*(self._number(step.coefficient(letter + part)) for part in "12"))
+            for letter in "VW"
+        )
+        move = widened * self._size
+        tail = {0.0: ""}.get(widened, "_reach" if widened > 0.0 else "_apart")
+        longest = max(v + w + move, 0.0) ** 2
+        shortest = max(abs(v - w) - move, 0.0) ** 2
+        constant = self._builder.constant
+        return (
+            constant(f"longest{number}{tail}", longest, meaning.format("longest")),
+            constant(f"shortest{number}{tail}", shortest, meaning.format("shortest")),
+        )
+
+    def _number(self, polynomial: Polynomial) -> float:
+        """The value of a polynomial in the arm's constants."""
+        values = {self._algebra.index[c.name]: c.value for c in self._constants}
+        total = 0.0
+        for monomial, coefficient in polynomial.terms():
+            part = int(coefficient.numerator) / int(coefficient.denominator)
+            for place, exponent in enumerate(monomial):
+                part *= values[place] ** exponent if exponent else 1.0
+            total += part
+        return total

@@ -1,0 +1,194 @@
+"""From nodes to statements: which nodes are needed, which get a name, and in which order.
+
+A node is named when it is used twice, when its user depends on more signs than it does (it is
+computed outside that user's loop), or when a kernel asked for a name that a reader knows.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Apply, Failure, Guard, Heading, Joint, Let, Program, Variable
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.program.graph import Entry, Graph, Node
+    from dhgen.program.ir import Expression, Statement
+
+TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A heading, or a guard, between nodes.
+
+    Attributes:
+        position: It stands before the node with this number.
+        heading: The text of a heading; None for guards.
+        condition: What must hold.
+        margin: What must not be negative, if that is the condition.
+        failure: Why it may not hold.
+        chosen: Truth values that say that a joint was free.
+    """
+
+    position: Node
+    heading: str | None = None
+    condition: Node = -1
+    margin: Node | None = None
+    failure: Failure = Failure.REACH
+    chosen: tuple[Node, ...] = ()
+
+    @property
+    def wanted(self) -> tuple[Node, ...]:
+        """The nodes that a guard looks at."""
+        if self.heading is not None:
+            return ()
+        margin = () if self.margin is None else (self.margin,)
+        return (self.condition, *margin, *self.chosen)
+
+
+def scheduled(
+    graph: Graph,
+    name: str,
+    marks: list[Mark],
+    names: dict[Node, str],
+    results: list[Node],
+    free: list[tuple[int, Node]],
+) -> Program:
+    """The program of a graph.
+
+    Args:
+        graph: The nodes.
+        name: The robot's identifier.
+        marks: Guards and headings in their order.
+        names: Names that nodes have already; the others get theirs here.
+        results: The outputs.
+        free: The truth values that say a joint was chosen, by joint number.
+    """
+    schedule = _Schedule(graph, marks, names, [*results, *(node for _, node in free)])
+    body = tuple(schedule.statements())
+    outputs = tuple(schedule.expression(node) for node in results)
+    used = _names_in(body, outputs)
+    return Program(
+        name=name,
+        constants=tuple(c for c in graph.constants.values() if c.name in used),
+        axes=tuple(graph.axes),
+        body=body,
+        outputs=outputs,
+        free=tuple((number, names[node]) for number, node in free),
+    )
+
+
+class _Schedule:
+    def __init__(
+        self, graph: Graph, marks: list[Mark], names: dict[Node, str], outputs: list[Node]
+    ) -> None:
+        self._graph = graph
+        self._entries = graph.entries
+        self._marks = sorted(marks, key=lambda mark: mark.position)
+        self._names = names
+        self._outputs = outputs
+        self._signs = [Variable(axis.name) for axis in graph.axes]
+        self._live = self._needed()
+        self._name_shared()
+
+    def statements(self) -> list[Statement]:
+        """Lets, guards and headings."""
+        statements: list[Statement] = []
+        pending = list(self._marks)
+        for node, entry in enumerate(self._entries):
+            while pending and pending[0].position <= node:
+                statements.append(self._statement(pending.pop(0)))
+            if node in self._live and node in self._names and entry.operator is not None:
+                truth = entry.operator in TRUTHS
+                statements.append(Let(self._names[node], self._applied(node), entry.axes, truth))
+        return statements + [self._statement(mark) for mark in pending]
+
+    def expression(self, node: Node) -> Expression:
+        """A node where it is used: by its name, or in place."""
+        if node in self._names:
+            return Variable(self._names[node])
+        leaf = self._entries[node].leaf
+        return self._applied(node) if leaf is None else leaf
+
+    def _applied(self, node: Node) -> Expression:
+        entry = self._entries[node]
+        assert entry.operator is not None
+        return Apply(entry.operator, tuple(self.expression(operand) for operand in entry.operands))
+
+    def _statement(self, mark: Mark) -> Statement:
+        if mark.heading is not None:
+            return Heading(mark.heading)
+        margin = None if mark.margin is None else self.expression(mark.margin)
+        chosen = tuple(self._names[node] for node in mark.chosen)
+        axes = self._entries[mark.condition].axes
+        return Guard(self.expression(mark.condition), axes, mark.failure, margin, chosen)
+
+    def _needed(self) -> set[Node]:
+        """What the outputs and guards need."""
+        pending = [*self._outputs, *(node for mark in self._marks for node in mark.wanted)]
+        live: set[Node] = set()
+        while pending:
+            node = pending.pop()
+            if node not in live:
+                live.add(node)
+                pending += self._entries[node].operands
+        return live
+
+    def _name_shared(self) -> None:
+        uses, wider = self._uses()
+        for mark in self._marks:
+            for node in mark.chosen:
+                self._names.setdefault(node, self._graph.unique(f"chosen{node}"))
+        for node in sorted(self._live):
+            entry = self._entries[node]
+            if entry.operator in {None, "neg", "not"} or self._is_rare(entry):
+                continue
+            if (uses.get(node, 0) > 1 or node in wider) and node not in self._names:
+                self._names[node] = self._graph.unique(f"v{len(self._names) + 1}")
+
+    def _uses(self) -> tuple[dict[Node, int], set[Node]]:
+        """How often each node is used, and which are used in a deeper loop than their own."""
+        uses: dict[Node, int] = dict.fromkeys(self._outputs, 1)
+        wider: set[Node] = set()
+        for node in sorted(self._live):
+            entry = self._entries[node]
+            for operand in entry.operands:
+                uses[operand] = uses.get(operand, 0) + 1
+                if self._entries[operand].axes != entry.axes:
+                    wider.add(operand)
+        for mark in self._marks:
+            for node in mark.wanted:
+                uses[node] = uses.get(node, 0) + 1
+        return uses, wider
+
+    def _is_rare(self, entry: Entry) -> bool:
+        """Whether a value stays in place: it costs nothing, or only a free joint wants it."""
+        leaves = [self._entries[operand].leaf for operand in entry.operands]
+        if entry.operator == "less" and any(leaf in self._signs for leaf in leaves):
+            return True
+        return entry.operator in {"cos", "sin"} and any(
+            isinstance(leaf, Joint) and leaf.role == "seed"
+            for operand in entry.operands
+            for leaf in self._graph.leaves(operand)
+        )
+
+
+def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[str]:
+    names: set[str] = set()
+    pending = list(outputs)
+    for statement in body:
+        match statement:
+            case Let(_, expression):
+                pending.append(expression)
+            case Guard(condition, margin=margin):
+                pending += [condition] if margin is None else [condition, margin]
+    while pending:
+        expression = pending.pop()
+        if isinstance(expression, Variable):
+            names.add(expression.name)
+        elif isinstance(expression, Apply):
+            pending += expression.operands
+    return names
