@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.names import unknown_symbol
-from dhgen.targets.derivation.steps import element_of, step_origins
+from dhgen.targets.derivation.steps import element_of
 from dhgen.targets.derivation.style import PLAIN, show
 from dhgen.targets.derivation.words import counted
 
@@ -27,5 +27,5 @@ def alternatives_text(derivation: Derivation) -> str:
 def _line(step: Step) -> str:
     """theta_3, two values: type 8, U_0[1,4] and U_0[2,4]."""
     names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
-    where = " and ".join(show(element_of(origin), PLAIN) for origin in step_origins(step))
+    where = " and ".join(show(element_of(origin), PLAIN) for origin in sorted(step.origins))
     return f"{names}: type {step.kind.value}, {counted(step.roots, 'value')}, {where}"

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import joined, say
-from dhgen.targets.derivation.formula import ZERO, equal, minus, relation
-from dhgen.targets.derivation.formula import ONE
-from dhgen.targets.derivation.names import joint_symbol, single, theta
-from dhgen.targets.derivation.story import remembered_letter
+from dhgen.targets.derivation.formula import ONE, ZERO, equal, minus
+from dhgen.targets.derivation.names import joint_symbol, single
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Prose
@@ -19,12 +16,11 @@ if TYPE_CHECKING:
 
 def merged_effect(context: StepContext) -> Prose:
     """Two branches have met."""
-    minus_one = equal(context.sign, minus(ONE))
-    plus_one = equal(context.sign, ONE)
     return say(
-        "both signs give the same solution, which stands in the rows with {}; those with {} stay empty",
-        plus_one, minus_one,
-    )
+        "both signs give the same solution; it stands in the rows with {}, and those with {} stay "
+        "empty",
+        equal(context.sign, ONE), equal(context.sign, minus(ONE)),
+    )  # fmt: skip
 
 
 def free_effect(context: StepContext) -> Prose:
@@ -35,19 +31,15 @@ def free_effect(context: StepContext) -> Prose:
     parts = [say(f"{{}} {takes} the seed's value (0 without a seed)", symbols)]
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
-    if context.step.kind is Kind.ANGLE and context.is_used_later():
-        parts.append(say("{}", equal(remembered_letter(context.step), ZERO)))
-    parts.append(say("the steps below go on unchanged"))
-    if context.number == len(context.story.steps):
-        parts.pop()
-    return joined(parts, ", and ") if len(parts) > 1 else parts[0]
+    remembered = context.remembered if context.step.kind is Kind.ANGLE else None
+    if remembered is not None:
+        parts.append(say("{}", equal(remembered.letter, ZERO)))
+    if context.number < len(context.story.steps):
+        parts.append(say("the steps below go on unchanged"))
+    return joined(parts)
 
 
 def open_joints(context: StepContext) -> list[int]:
     """The joints of the step's angle that no earlier step has given."""
     before = context.story.knowledge[context.number - 1]
-    assert isinstance(context.angle, AngleSum)
     return [joint for joint, _ in context.angle.terms if not before.knows(single(joint))]
-
-
-__all__ = ["free_effect", "merged_effect", "open_joints", "relation", "theta"]

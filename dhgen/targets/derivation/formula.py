@@ -217,7 +217,15 @@ def over(above: Formula, below: Formula) -> Formula:
     if isinstance(above, Minus):
         return minus(over(above.operand, below))
     if isinstance(below, Minus):
-        return minus(over(above, below.operand))
+        return over(minus(above), below.operand)
+    if isinstance(above, Product) and isinstance(above.factors[0], Quotient):
+        first, *others = above.factors
+        return over(times(first.over, *others), times(first.under, below))
+    if isinstance(above, Quotient):
+        return over(above.over, times(above.under, below))
+    if isinstance(above, Number) and above.value.denominator != 1:
+        ratio = above.value
+        return over(number(ratio.numerator), times(number(ratio.denominator), below))
     if below == ONE or above == ZERO:
         return above
     return Quotient(above, below)

@@ -13,6 +13,7 @@ from dhgen.targets.derivation.formula import (
     Element,
     Listing,
     Matrix,
+    Relation,
     Symbol,
     equal,
     times,
@@ -110,8 +111,7 @@ def _tool(story: Story) -> list[Block]:
     if base == still and tool == still:
         return [
             paragraph(
-                "Base frame and tool frame are frames 0 and {} themselves: {}.",
-                Symbol(str(story.dof), str(story.dof)),
+                f"The arm's base and the tool are frames 0 and {story.dof} themselves: {{}}.",
                 equal(T_BASE_TOOL, last),
             )
         ]
@@ -161,8 +161,6 @@ def matrix_of(transform: Transform, write: Callable[[Polynomial], Formula]) -> M
 
 def matrix_width(formula: Formula) -> int:
     """Visible characters of `name = matrix`: the widest entry of every column."""
-    from dhgen.targets.derivation.formula import Relation  # noqa: PLC0415
-
     assert isinstance(formula, Relation)
     total = 0
     for side in formula.sides:

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.chain import parallel_groups
 from dhgen.kinematics.transform import identity
-from dhgen.targets.derivation.blocks import say
+from dhgen.targets.derivation.blocks import say, sentences
 from dhgen.targets.derivation.formula import Symbol, add, equal, minus
 from dhgen.targets.derivation.geometry import NEAR, neighbours
-from dhgen.targets.derivation.names import cosine, joint_index, sine, single, theta
-from dhgen.targets.derivation.words import many
+from dhgen.targets.derivation.names import cosine, sine, single, theta
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Prose
@@ -20,8 +19,8 @@ if TYPE_CHECKING:
 
 
 def frame_sentences(story: Story) -> list[Prose]:
-    """One short paragraph for every choice."""
-    return [*_notation(story), *_parallel(story), *_meeting(story), *_ends(story)]
+    """A short paragraph for every choice."""
+    return [*_notation(story), *_parallel(story), *_meeting(story), *_wrist(story), *_ends(story)]
 
 
 def _notation(story: Story) -> list[Prose]:
@@ -29,10 +28,13 @@ def _notation(story: Story) -> list[Prose]:
     if not turning:
         return []
     first = turning[0]
-    cos, sin = Symbol(rf"\cos {theta(first).latex}", f"cos {theta(first).text}"), Symbol(
-        rf"\sin {theta(first).latex}", f"sin {theta(first).text}"
-    )
-    return [say("Short forms: {}, {}.", equal(cosine(first), cos), equal(sine(first), sin))]
+    parts = [equal(cosine(first), _of("cos", first)), equal(sine(first), _of("sin", first))]
+    return [say("In short {} and {}.", *parts)]
+
+
+def _of(function: str, angle: AngleSum) -> Symbol:
+    inner = theta(angle)
+    return Symbol(rf"\{function} {inner.latex}", f"{function} {inner.text}")
 
 
 def _parallel(story: Story) -> list[Prose]:
@@ -40,64 +42,61 @@ def _parallel(story: Story) -> list[Prose]:
     for run in parallel_groups(story.algebra.chain):
         if len(run) < 2:
             continue
-        joints = [str(joint) for joint, _ in run]
         whole = AngleSum(run)
-        total = _sum(whole)
-        example = equal(theta(whole), total)
-        c = equal(cosine(whole), Symbol(rf"\cos {theta(whole).latex}", f"cos {theta(whole).text}"))
-        against = [str(joint) for joint, facing in run if facing < 0]
+        parts = (equal(theta(whole), _sum(whole)), equal(cosine(whole), _of("cos", whole)))
+        axes = _axes([joint for joint, _ in run])
+        against = [joint for joint, facing in run if facing < 0]
         if against:
-            found.append(
-                say(
-                    f"The {many('axis', joints).replace('axiss', 'axes')} stay parallel, but "
-                    f"{many('axis', against).replace('axiss', 'axes')} "
-                    f"{'points' if len(against) == 1 else 'point'} the other way: their angles appear "
-                    "as sums in which the opposite ones are subtracted, {}, {}.",
-                    example, c,
-                )
+            other = f"axis {against[0]} points" if len(against) == 1 else f"{_axes(against)} point"
+            text = (
+                f"Along {axes} the direction stays the same, but {other} the other way: the angles "
+                "appear as sums in which the opposite ones are subtracted, {} with {}."
             )
         else:
-            found.append(
-                say(
-                    f"The axes {' and '.join([', '.join(joints[:-1]), joints[-1]])} are parallel: "
-                    "their angles appear as sums, {}, {}.",
-                    example, c,
-                )
-            )
+            text = f"{axes.capitalize()} are parallel: their angles appear as sums, {{}} with {{}}."
+        found.append(say(text, *parts))
     return found
+
+
+def _axes(joints: list[int]) -> str:
+    return f"axes {', '.join(map(str, joints[:-1]))} and {joints[-1]}"
 
 
 def _sum(angle: AngleSum) -> Formula:
-    parts = [theta(single(joint)) for joint, _ in angle.terms]
-    signs = [sign for _, sign in angle.terms]
-    return add(*(p if s > 0 else minus(p) for p, s in zip(parts, signs, strict=True)))
+    return add(
+        *(theta(single(j)) if sign > 0 else minus(theta(single(j))) for j, sign in angle.terms)
+    )
 
 
 def _meeting(story: Story) -> list[Prose]:
-    chain = story.algebra.chain
-    wrist = story.wrist
+    """Neighbouring axes that meet, without those of a spherical wrist."""
+    wrist = story.wrist or ()
+    pairs = [p for p in neighbours(story.algebra.chain) if p.meet is not None]
+    pairs = [p for p in pairs if abs(p.lean) < 1 - NEAR and p.first not in wrist[:2]]
+    right = [_axes([p.first, p.first + 1]) for p in pairs if abs(p.lean) < NEAR]
+    other = [_axes([p.first, p.first + 1]) for p in pairs if abs(p.lean) >= NEAR]
     found = []
-    pairs = [p for p in neighbours(chain) if p.meet is not None and abs(p.lean) < 1 - NEAR]
-    inside = set() if wrist is None else {wrist[0], wrist[1]}
-    for pair in pairs:
-        if pair.first in inside:
-            continue
-        angle = " at a right angle" if abs(pair.lean) < NEAR else ""
-        found.append(say(f"The axes {pair.first} and {pair.first + 1} meet{angle}."))
-    if wrist is not None:
-        text = (
-            f"The axes {wrist[0]}, {wrist[1]} and {wrist[2]} meet in one point, the wrist centre: a "
-            "spherical wrist. "
+    for group, ending in ((right, " at a right angle"), (other, "")):
+        if group:
+            names = ", and ".join(group)
+            found.append(say(f"{names.capitalize()} meet{ending}: no length separates them."))
+    return [sentences(found)] if found else []
+
+
+def _wrist(story: Story) -> list[Prose]:
+    if story.wrist is None:
+        return []
+    first, second, third = story.wrist
+    text = f"Axes {first}, {second} and {third} meet in one point, the wrist centre: "
+    if story.dof == 3:
+        return [say(text + "turning the joints does not move it, and only the orientation changes.")]
+    return [
+        say(
+            text + "the wrist is spherical. Turning its joints does not move that point, so its "
+            "position gives the joints before the wrist, and the orientation gives the wrist "
+            "afterwards."
         )
-        if chain.dof > 3:
-            text += (
-                "Turning these joints does not move that point, so its position gives the joints "
-                "before the wrist, and the orientation gives the wrist afterwards."
-            )
-        else:
-            text += "Only the orientation of the last frame changes."
-        found.append(say(text))
-    return found
+    ]
 
 
 def _ends(story: Story) -> list[Prose]:
@@ -106,12 +105,7 @@ def _ends(story: Story) -> list[Prose]:
     still = identity(chain.ring)
     found = []
     if chain.base != still:
-        found.append(
-            say("The base frame of the arm stands at {} in the caller's frame.", Symbol("Z", "Z"))
-        )
+        found.append(say("The base of the arm stands at {} in the caller's frame.", Symbol("Z", "Z")))
     if chain.tool != still:
         found.append(say("The tool stands at {} in the last frame.", Symbol("E", "E")))
-    return found
-
-
-__all__ = ["frame_sentences", "joint_index"]
+    return [sentences(found)] if found else []

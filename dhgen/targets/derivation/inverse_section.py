@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.transform import compose, identity, inverse
+from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.paul.problem import task_entries
 from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
-from dhgen.targets.derivation.formula import Element, Listing, Matrix, Product, Symbol, equal, times
+from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
 from dhgen.targets.derivation.forward_section import BASE, TOOL
 from dhgen.targets.derivation.matrices import (
-    chosen_origins,
     left_name,
     middle_name,
     sides,
-    steps_back,
 )
 from dhgen.targets.derivation.names import inverse as inverse_name
 from dhgen.targets.derivation.names import letter, link, target
+from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.style import LATEX, PLAIN, show
 from dhgen.targets.derivation.words import many
 
 if TYPE_CHECKING:
@@ -66,8 +66,6 @@ def _given(story: Story) -> list[Block]:
         paragraph("The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method)
     ]
     if left or right:
-        whole = algebra.lift(identity(algebra.chain.ring)) if False else problem.target  # noqa: SIM108
-        del whole
         blocks += _entries(story, left=left, right=right)
     return blocks
 
@@ -76,8 +74,6 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
     """The entries of U_0 by those of POS = (p_ij)."""
     algebra = story.algebra
     problem = story.derivation.problem
-    from dhgen.kinematics.transform import Transform  # noqa: PLC0415
-
     entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
     given = Transform(tuple(tuple(row[:3]) for row in entry), tuple(row[3] for row in entry))
     if left:
@@ -88,8 +84,6 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
     for i in range(1, 4):
         for j in range(1, 5):
             letters[f"t{i}{j}"] = letter("p", "p", f"{i}{j}", f"p{i}{j}")
-    from dhgen.targets.derivation.polynomial import Writer  # noqa: PLC0415
-
     writer = Writer(algebra, lambda _: 0, {}, letters)
     shown = [
         equal(story.letters[name], writer.write(given.entry(int(name[1]) - 1, int(name[2]) - 1)))
@@ -119,34 +113,30 @@ def _stay(story: Story) -> list[Block]:
 
 def _point(story: Story, point: Point) -> list[Block]:
     problem = story.derivation.problem
-    k = min(
-        k for k in range(story.dof) if steps_back(problem, k).translation == point.in_tool
-    )
+    k = story.frame_of(point)
     coordinates = []
     for row, name in enumerate(point.names):
         total = problem.target.entry(row, 3)
         for column, length in enumerate(point.in_tool):
             total += problem.target.entry(row, column) * length
         coordinates.append(equal(story.letters[name], story.write(total)))
-    in_tool = Matrix((tuple(story.write(entry) for entry in point.in_tool),))
     joints = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
     turn = "does" if k + 1 == story.dof else "do"
-    origin = Symbol(f"o_{k}", f"o{k}")
-    if story.wrist is not None and k >= story.wrist[0] - 1:
+    assert story.wrist is not None or not story.is_wrist_frame(k)
+    if story.wrist is not None and story.is_wrist_frame(k):
         first = (
             "The wrist centre {} is the origin of frame {}, where the axes {}, {} and {} meet"
         )
         three = [Given(str(joint)) for joint in story.wrist]
         head = say(first, Symbol("w", "w"), Given(str(k)), *three)
     else:
-        head = say("The origin {} of frame {} is a second point that the pose gives", origin, Given(str(k)))
+        head = say("The pose gives a second point {}, the origin of frame {}", Symbol("w", "w"), Given(str(k)))
     text = (
-        f"{{}}: {joints} {turn} not move it in the last frame, where it is {{}}. "
-        "So its place follows from the pose alone:"
+        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its place follows from "
+        "the pose alone,"
     )
-    del in_tool
-    place = "(" + ", ".join("{}" for _ in range(3)) + ")"
-    shown = say(place, *(story.write(entry) for entry in point.in_tool))
+    entries = [story.write(entry) for entry in point.in_tool]
+    shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
     return [paragraph(text, head, shown), display(*coordinates)]
 
 
@@ -154,7 +144,7 @@ def _matrices(story: Story) -> list[Block]:
     """Both sides of every element in the columns that the steps use, each once."""
     used: dict[tuple[int, int], list[Origin]] = {}
     for step in story.steps:
-        for origin in chosen_origins(tuple(form.equation.origins for form in step.forms)):
+        for origin in step.origins:
             used.setdefault((origin.m, origin.k), []).append(origin)
     blocks: list[Block] = []
     for (m, k), origins in sorted(used.items(), key=lambda item: (item[0][0], -item[0][1])):

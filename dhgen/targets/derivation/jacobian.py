@@ -60,7 +60,7 @@ def jacobian_blocks(story: Story) -> list[Block]:
     columns = zip(*matrix.rows, strict=True)
     total = sum(max(width(e) for e in column if e is not None) + 2 for column in columns) + 6
     if total <= WIDTH:
-        blocks += [paragraph("Here it is"), display(equal(_J, matrix))]
+        blocks += [paragraph("Written out,"), display(equal(_J, matrix))]
     return blocks
 
 

@@ -6,16 +6,17 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.problem import task_dimension
-from dhgen.robot.robot import DhRow, JointKind
+from dhgen.robot.expression import ZERO as NOTHING
+from dhgen.robot.robot import JointKind
 from dhgen.targets.derivation.blocks import Paragraph, display, paragraph, say
 from dhgen.targets.derivation.expressions import expression_symbol
 from dhgen.targets.derivation.formula import Formula, Symbol, add, equal, minus
 from dhgen.targets.derivation.names import joint_symbol, letter, single, theta
-from dhgen.robot.expression import ZERO as NOTHING
+from dhgen.targets.derivation.tables import sign_and_offset
 
 if TYPE_CHECKING:
     from dhgen.paul.knowledge import Cut
-    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.story import Story
 
 
@@ -31,11 +32,13 @@ def joint_values(story: Story) -> list[Block]:
     return blocks
 
 
-def _text(story: Story) -> object:
-    turning = any(j.kind is JointKind.REVOLUTE for j in story.algebra.chain.joints)
-    wrap = ", and whole turns are taken off until the angle lies in {}" if turning else ""
-    parts = [Symbol(r"(-\pi, \pi]", "(−π, π]")] if turning else []
-    return say("What is left is addition" + wrap + ":", *parts)
+def _text(story: Story) -> Prose:
+    joints = story.algebra.chain.joints
+    shifted = any(j.kind is JointKind.REVOLUTE and j.offset != 0.0 for j in joints)
+    if not (_sums(story) or shifted):
+        return say("What is left are the variables that the caller sees:")
+    text = "What is left is addition; whole turns are taken off, so that every angle lies in {}:"
+    return say(text, Symbol(r"(-\pi, \pi]", "(−π, π]"))
 
 
 def _sums(story: Story) -> list[Formula]:
@@ -85,18 +88,15 @@ def _variables(story: Story) -> list[Formula]:
     """q_i by theta_i or r_i, where they differ."""
     lines: list[Formula] = []
     for number, joint in enumerate(story.robot.joints, start=1):
-        chain_joint = story.algebra.chain.joints[number - 1]
         turning = joint.kind is JointKind.REVOLUTE
         inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
-        offset = NOTHING
-        if isinstance(joint, DhRow):
-            offset = joint.theta if turning else joint.d
-        if turning and chain_joint.sign > 0 and offset == NOTHING:
+        sign, offset = sign_and_offset(story, number)
+        if turning and sign > 0 and offset == NOTHING:
             continue
-        added = Symbol(*_enclosed(expression_symbol(offset)))
-        value = inner if offset == NOTHING else _minus(inner, added)
-        if chain_joint.sign < 0:
-            value = minus(inner) if offset == NOTHING else _minus(added, inner)
+        value = inner if sign > 0 else minus(inner)
+        if offset != NOTHING:
+            added = Symbol(*_enclosed(expression_symbol(offset)))
+            value = _minus(inner, added) if sign > 0 else _minus(added, inner)
         lines.append(equal(joint_symbol(number), value))
     return lines
 

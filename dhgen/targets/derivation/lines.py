@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 WIDTH = 100  # visible characters of a line
 INDENT = 4
+SHORT = 10  # visible characters that may follow a long side on its line
 
 
 def width(formula: Formula) -> int:
@@ -34,13 +35,13 @@ def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
         head = filled(first, style, WIDTH)
         lines = [("", line) for line in head]
         start = INDENT
-        left = ""
-    else:
-        lines = []
+        rest = _joined(formula, start, style)
+        if len(rest) == 1 and len(_joined(formula, start, PLAIN)[0]) <= SHORT:
+            lines[-1] = ("", f"{lines[-1][1]} {rest[0]}")
+            return lines
+        return [*lines, *(("", line) for line in rest)]
     pending = _joined(formula, start, style)
-    for place, line in enumerate(pending):
-        lines.append((left if place == 0 and not lines else "", line))
-    return lines
+    return [(left if place == 0 else "", line) for place, line in enumerate(pending)]
 
 
 def _joined(formula: Relation, start: int, style: Style) -> list[str]:

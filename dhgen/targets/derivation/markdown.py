@@ -18,7 +18,7 @@ from dhgen.targets.derivation.blocks import (
     Prose,
     Table,
 )
-from dhgen.targets.derivation.formula import Matrix, Product, Relation
+from dhgen.targets.derivation.formula import Listing, Matrix, Product, Relation
 from dhgen.targets.derivation.lines import broken
 from dhgen.targets.derivation.style import LATEX, show
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.formula import Formula
 
 _RISKY = re.compile(r"\}_|\\[^A-Za-z]|[|<>*`]|\[[^\]]*\]\(")
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>()#+!|~$&])")
+_SPECIAL = re.compile(r"([\\`*_\[\]<>#|~$&])")
 
 
 def markdown(block: Block) -> str:
@@ -57,6 +57,8 @@ def _part(part: Formula | Given | Prose) -> str:
             return escaped(text)
         case Prose():
             return inline(part)
+        case Listing(items):
+            return ", ".join(inline_formula(item) for item in items)
         case _:
             return inline_formula(part)
 
@@ -93,7 +95,7 @@ def _has_matrix(formula: Formula) -> bool:
     match formula:
         case Matrix():
             return True
-        case Relation(parts) | Product(parts):
+        case Relation(parts) | Product(parts) | Listing(parts):
             return any(_has_matrix(part) for part in parts)
         case _:
             return False

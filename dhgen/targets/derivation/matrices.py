@@ -16,7 +16,7 @@ from dhgen.targets.derivation.names import inverse, link, product_of, target
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Origin, Pool
+    from dhgen.paul.pool import Pool
     from dhgen.paul.problem import Problem
 
 
@@ -100,29 +100,3 @@ def sides(form: Form, row: int, column: int) -> tuple[Polynomial, Polynomial]:
 def is_product(formula: Formula) -> bool:
     """Whether a matrix's name has more than one factor."""
     return isinstance(formula, Product)
-
-
-def chosen_origins(origins: tuple[tuple[Origin, ...], ...]) -> tuple[Origin, ...]:
-    """Where to read equations: all in one matrix, in one column or row if there is such a one.
-
-    Matrices that Paul's method gives itself (nothing moved from the right) come first, then those
-    with the fewest joints moved.
-    """
-    if len(origins) == 1:
-        return (min(origins[0], key=_effort),)
-    pairs = [
-        (first, second)
-        for first in origins[0]
-        for second in origins[1]
-        if (first.m, first.k) == (second.m, second.k)
-        and first.row
-        and second.row
-        and (first.column == second.column or first.row == second.row)
-    ]
-    if not pairs:
-        return tuple(min(each, key=_effort) for each in origins)
-    return min(pairs, key=lambda pair: (_effort(pair[0]), pair[0].column != pair[1].column, pair))
-
-
-def _effort(origin: Origin) -> tuple[bool, int, Origin]:
-    return origin.is_mixed, origin.m + origin.dof - origin.k, origin

@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Unknown
     from dhgen.targets.derivation.formula import Formula
 
-_SUBSCRIPTS = str.maketrans("0123456789-+xyz,", "₀₁₂₃₄₅₆₇₈₉₋₊xyz,")
+_SUBSCRIPTS = str.maketrans("0123456789-,", "₀₁₂₃₄₅₆₇₈₉₋,")
 _GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η",
     "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ",
     "sigma": "σ", "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
 }  # fmt: skip
+_MADE = re.compile(r"([ezhup])(\d*[xyz]|\d\d)")  # numbers of frames and axes without a name
 _PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
 
 
@@ -30,7 +31,8 @@ def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
     if not index:
         return Symbol(latex, text, name)
     below = index if len(index) == 1 else f"{{{index}}}"
-    return Symbol(f"{latex}_{below}", text + index.translate(_SUBSCRIPTS), name)
+    plain = f"{text}_{index}" if any(c.isalpha() for c in index) else text + index.translate(_SUBSCRIPTS)
+    return Symbol(f"{latex}_{below}", plain, name)
 
 
 def parameter(name: str) -> Symbol:
@@ -145,6 +147,9 @@ def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symb
         return _of_angle("sin", name)
     if any(other.cosine == name for other in constants):
         return _of_angle("cos", name)
+    made = _MADE.fullmatch(name)
+    if made is not None and constant.meaning.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
+        return letter(made[1], made[1], made[2], name)
     return parameter(name)
 
 

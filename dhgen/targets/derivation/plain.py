@@ -14,7 +14,7 @@ from dhgen.targets.derivation.blocks import (
     Prose,
     Table,
 )
-from dhgen.targets.derivation.formula import Matrix, Product, Relation
+from dhgen.targets.derivation.formula import Listing, Matrix, Product, Relation
 from dhgen.targets.derivation.lines import broken
 from dhgen.targets.derivation.style import PLAIN, show, show_entry
 
@@ -78,6 +78,11 @@ def box(formula: Formula) -> list[str]:
             for sign, side in zip(signs, sides[1:], strict=True):
                 parts += [[f" {PLAIN.sign(sign)} "], box(side)]
             return _beside(parts)
+        case Listing(items) if _spread(items):
+            parts = [box(items[0])]
+            for item in items[1:]:
+                parts += [["   "], box(item)]
+            return _beside(parts)
         case Product(factors) if _spread(factors):
             return _beside([box(factor) for factor in factors])
         case _:
@@ -112,6 +117,13 @@ def _beside(boxes: list[list[str]]) -> list[str]:
 
 def _table(rows: list[list[str]]) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = ["  ".join(f"{c:<{w}}" for c, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-    rule = "  ".join("─" * w for w in widths)
-    return "\n".join([lines[0], rule, *lines[1:]])
+    used = sum(widths[:-1]) + 2 * len(widths[:-1])
+    widths[-1] = min(widths[-1], max(COLUMNS - used, 30))
+    lines: list[str] = []
+    for row in rows:
+        start = "".join(f"{c:<{w}}  " for c, w in zip(row[:-1], widths[:-1], strict=True))
+        last = textwrap.wrap(row[-1], widths[-1]) or [""]
+        lines += [(start + last[0]).rstrip(), *(" " * used + rest for rest in last[1:])]
+        if len(lines) == 1:
+            lines.append("  ".join("─" * w for w in widths))
+    return "\n".join(lines)

@@ -11,7 +11,6 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.formula import (
-    ONE,
     ZERO,
     Minus,
     Number,
@@ -58,6 +57,9 @@ class Writer:
         if not polynomial:
             return ZERO
         factor, rest = primitive(polynomial)
+        if len({int(c.denominator) for c in polynomial.values()}) > 1:
+            sign = 1 if factor > 0 else -1  # a fraction stays with the term that has it
+            factor, rest = Fraction(sign), polynomial * sign
         common, inner = content(rest)
         monomial = self._monomial(common)
         body = self._nested(inner)
@@ -112,7 +114,7 @@ class Writer:
             return minus(self.known[-polynomial])
         places = used_places(polynomial)
         if not places:
-            return ONE
+            return _as_number(Fraction(str(polynomial.coeff(1))))
         parts: list[tuple[tuple[int, ...], Formula]] = []
         rest = polynomial
         while rest:

@@ -6,14 +6,21 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.targets.derivation.formula import Formula, Number, Symbol, equal, number
+from dhgen.paul.step import Kind
+from dhgen.targets.derivation.formula import equal, number, times
+from dhgen.targets.derivation.lines import width
 from dhgen.targets.derivation.names import letter, unknown_symbol
-from dhgen.targets.derivation.story import Story, other_form, remembered_letter
+from dhgen.targets.derivation.walk import occurs
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
     from dhgen.targets.derivation.blocks import Block, Prose
+    from dhgen.targets.derivation.formula import Formula, Relation, Symbol
+    from dhgen.targets.derivation.quotes import Quote
+    from dhgen.targets.derivation.story import Remembered, Story
+
+SHORT = 14  # visible characters of a value that may stand in a line of text
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +29,7 @@ class Singularity:
 
     Attributes:
         step: Its number.
-        condition: In terms of the pose or of earlier steps.
+        condition: In terms of the pose or of the step's letters.
         joints: The same in terms of the joint angles, when that is short.
         meaning: What the arm looks like there.
         effect: What happens.
@@ -68,78 +75,80 @@ class StepContext:
         return next(u for u in self.step.unknowns if isinstance(u, AngleSum))
 
     @property
+    def quotes(self) -> tuple[Quote, ...]:
+        """The equations as they stand."""
+        return self.story.quotes[self.number - 1]
+
+    @property
     def sign(self) -> Formula:
         """The branch sign."""
-        return self.story.sign_of(self.number) or number(1)
+        return self.story.sign_of(self.number)
+
+    @property
+    def facing_sign(self) -> Formula:
+        """The branch sign for letters of type 2, which belong to the equation as it stands."""
+        return times(number(self.quotes[0].facing), self.sign)
 
     @property
     def unknown(self) -> Symbol:
         """The letter of the first unknown."""
         return unknown_symbol(self.step.unknowns[0])
 
+    @property
+    def remembered(self) -> Remembered | None:
+        """Y s - X c of this step, when a later step uses it."""
+        for each in self.story.remembered:
+            if each.step == self.number and self._is_used(each.letter):
+                return each
+        return None
+
+    def _is_used(self, symbol: Symbol) -> bool:
+        later = enumerate(self.story.steps[self.number :], start=self.number + 1)
+        return any(
+            occurs(symbol, self.story.write(polynomial, number_))
+            for number_, step in later
+            for _, polynomial in step.coefficients
+        )
+
     def polynomial(self, name: str) -> Polynomial:
-        """What stands behind a letter of the type."""
-        return self.step.coefficient(name)
+        """What stands behind a letter of the type, for the equation as it stands."""
+        return self.step.coefficient(name) * self._facing(name)
+
+    def _facing(self, name: str) -> int:
+        facings = [quote.facing for quote in self.quotes]
+        if len(facings) == 1:
+            return facings[0]
+        if self.step.kind in _VECTOR_KINDS and name not in {"Z1", "Z2"}:
+            return 1
+        return facings[int(name[1]) - 1]
 
     def value(self, name: str) -> Formula:
-        """The same, with the letters that earlier steps gave to forms."""
+        """The same as a formula, with the letters that earlier steps gave to forms."""
         return self.story.write(self.polynomial(name), self.number)
 
-    def definition(self, name: str) -> Formula:
+    def definition(self, name: str) -> Relation:
         """X = ..., in full and, when that differs, with the letters of earlier steps."""
         polynomial = self.polynomial(name)
         full = self.story.write(polynomial)
         return equal(type_letter(name), full, self.story.write(polynomial, self.number))
 
+    def are_short(self, *names: str) -> bool:
+        """Whether the letters' values are short enough for a line of text."""
+        return all(width(self.definition(name)) <= SHORT + 4 for name in names)
+
     def is_constant(self, *names: str) -> bool:
         """Whether letters are made of the arm's lengths alone."""
-        return all(self.story.algebra.is_constant(self.polynomial(name)) for name in names)
+        return all(self.story.algebra.is_constant(self.step.coefficient(name)) for name in names)
 
     def is_number(self, name: str) -> bool:
         """Whether a letter is a plain number."""
         polynomial = self.polynomial(name)
-        return not polynomial or polynomial.is_ground
+        return not polynomial or bool(polynomial.is_ground)
 
-    def is_used_later(self) -> bool:
-        """Whether a later step needs Y s - X c of this one."""
-        mine = other_form(self.story.algebra, self.step)
-        letter_ = remembered_letter(self.step)
-        if all(number != self.number for number, _, _ in self.story.remembered):
-            return False
-        del mine
-        later = enumerate(self.story.steps[self.number :], start=self.number + 1)
-        return any(
-            occurs(letter_, self.story.write(polynomial, number))
-            for number, step in later
-            for _, polynomial in step.coefficients
-        )
+
+_VECTOR_KINDS = frozenset({Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM})
 
 
 def type_letter(name: str) -> Symbol:
     """X, Z_1."""
     return letter(name[0], name[0], name[1:])
-
-
-def occurs(symbol: Symbol, formula: Formula) -> bool:
-    """Whether a symbol stands in a formula."""
-    if formula == symbol:
-        return True
-    if isinstance(formula, Symbol | Number):
-        return False
-    return any(occurs(symbol, part) for part in parts_of(formula))
-
-
-def parts_of(formula: Formula) -> tuple[Formula, ...]:
-    """The formulas that a formula is made of."""
-    match formula:
-        case Symbol() | Number():
-            return ()
-        case _:
-            found: list[Formula] = []
-            for name in formula.__slots__:
-                part = getattr(formula, name)
-                if isinstance(part, tuple):
-                    found += [p for p in part if not isinstance(p, str | tuple)]
-                elif not isinstance(part, int | str):
-                    found.append(part)
-            return tuple(found)

@@ -8,7 +8,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import Given, Paragraph, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Formula, Listing, Symbol, equal
-from dhgen.targets.derivation.matrices import chosen_origins, left_name, sides
+from dhgen.targets.derivation.matrices import left_name
 from dhgen.targets.derivation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.step_context import StepContext
 from dhgen.targets.derivation.types import PRINTERS
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Form
     from dhgen.paul.pool import Origin
     from dhgen.paul.step import Step
+    from dhgen.targets.derivation.formula import Relation
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
@@ -30,7 +31,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
     context = StepContext(story, number, step)
     text = PRINTERS[step.kind](context)
     where = _where(story, step)
-    blocks: list[Block] = [Paragraph(where, lead=_lead(context)), display(*_quoted(story, step))]
+    blocks: list[Block] = [Paragraph(where, lead=_lead(context)), display(*quoted(story, number))]
     blocks += _rewriting(context)
     return [*blocks, *text.blocks], text.singularities
 
@@ -59,14 +60,9 @@ def document_002_number(context: StepContext) -> int | None:
             return None
 
 
-def step_origins(step: Step) -> tuple[Origin, ...]:
-    """The elements in which a step's equations are read."""
-    return chosen_origins(tuple(form.equation.origins for form in step.forms))
-
-
 def _where(story: Story, step: Step) -> Prose:
     """From which elements, and what was moved."""
-    origins = step_origins(step)
+    origins = step.origins
     names = [say("{}", element_of(origin)) for origin in origins]
     head = say("From {}", joined(names))
     first = origins[0]
@@ -100,18 +96,14 @@ def element_of(origin: Origin) -> Formula:
     )
 
 
-def _quoted(story: Story, step: Step) -> list[Formula]:
+def quoted(story: Story, number: int) -> list[Relation]:
     """The equations as they stand: the joints' side first, as the documents write them."""
-    lines: list[Formula] = []
-    for form, origin in zip(step.forms, step_origins(step), strict=True):
-        if origin.row:
-            left, right = sides(story.form(origin.m, origin.k), origin.row, origin.column)
-        else:
-            left, right = form.equation.left, form.equation.right
-        if story.algebra.is_constant(right) or not right:
-            lines.append(equal(story.write(left), story.write_forward(right)))
-        else:
-            lines.append(equal(story.write_forward(right), story.write(left)))
+    lines = []
+    for quote in story.quotes[number - 1]:
+        left, right = story.write_forward, story.write
+        if not quote.joints_left:
+            left, right = right, left
+        lines.append(equal(left(quote.left), right(quote.right)))
     return lines
 
 
@@ -160,4 +152,4 @@ def _changed(story: Story, form: Form, angle: AngleSum) -> bool:
     return not kept and not inside
 
 
-__all__ = ["Given", "document_002_number", "element_of", "step_blocks", "step_origins"]
+__all__ = ["Given", "document_002_number", "element_of", "step_blocks"]

@@ -11,21 +11,43 @@ from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.geometry import wrist_joints
-from dhgen.targets.derivation.matrices import form_of
+from dhgen.targets.derivation.formula import ONE
+from dhgen.targets.derivation.matrices import form_of, steps_back
 from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
 from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.quotes import quotes_of
 from dhgen.targets.derivation.ring import content, primitive
+from dhgen.targets.derivation.walk import leads_negative
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.pool import Point
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
     from dhgen.targets.derivation.formula import Formula, Symbol
     from dhgen.targets.derivation.matrices import Form
+    from dhgen.targets.derivation.quotes import Quote
+
+
+@dataclass(frozen=True, slots=True)
+class Remembered:
+    """After X s + Y c = Z the form Y s - X c is known too: the signed root.
+
+    Attributes:
+        step: The number of the step, from 1.
+        form: Y s - X c of the equation as it stands, or the opposite.
+        letter: What it is called.
+        facing: -1 when it is the opposite.
+    """
+
+    step: int
+    form: Polynomial
+    letter: Symbol
+    facing: int
 
 
 @dataclass(frozen=True)
@@ -86,7 +108,10 @@ class Story:
 
     def write(self, polynomial: Polynomial, step: int = 0) -> Formula:
         """A polynomial nested by the order of solving; forms of steps before `step` by name."""
-        known = {p: f for n, p, f in self.remembered if n < step}
+        known: dict[Polynomial, Formula] = {}
+        for each in self.remembered if step else ():
+            if each.step < step:
+                known[each.form] = each.letter
         rank = self.solved_after
         last = len(self.steps) + 1
         writer = Writer(self.algebra, lambda name: rank.get(name, last), known, self.letters)
@@ -100,24 +125,50 @@ class Story:
         return Writer(self.algebra, lambda name: first.get(name, 0), {}, self.letters).write(polynomial)
 
     @cached_property
-    def remembered(self) -> tuple[tuple[int, Polynomial, Formula], ...]:
-        """After X s + Y c = Z, the form Y s - X c has a letter: number of the step, form, letter."""
+    def quotes(self) -> tuple[tuple[Quote, ...], ...]:
+        """The equations of every step as they stand."""
+        return tuple(quotes_of(self.derivation, step) for step in self.steps)
+
+    @cached_property
+    def remembered(self) -> tuple[Remembered, ...]:
+        """The forms Y s - X c of all steps of type 2 that later polynomials may hold."""
         found = []
         for number, step in enumerate(self.steps, start=1):
-            if step.kind is not Kind.ANGLE:
-                continue
-            form = other_form(self.algebra, step)
-            factor, inner = primitive(form)
-            if abs(factor) == 1 and not any(content(inner)[0]) and len(form) > 1:
-                found.append((number, form, remembered_letter(step)))
+            if step.kind is Kind.ANGLE:
+                each = self.combination(number)
+                factor, inner = primitive(each.form)
+                if abs(factor) == 1 and not any(content(inner)[0]) and len(inner) > 1:
+                    found.append(each)
         return tuple(found)
 
-    def sign_of(self, step: int) -> Symbol | None:
-        """The branch sign that a step brings in, if it does."""
+    def combination(self, number: int) -> Remembered:
+        """Y s - X c of a step of type 2, with the sign that reads best."""
+        step = self.steps[number - 1]
+        (angle,) = step.unknowns
+        assert isinstance(angle, AngleSum)
+        s, c = self.algebra.generator(angle.sine), self.algebra.generator(angle.cosine)
+        form = step.coefficient("Y") * s - step.coefficient("X") * c
+        form *= self.quotes[number - 1][0].facing
+        facing = -1 if leads_negative(self.write(form)) else 1
+        letter_ = letter("D", "D", joint_index(angle))
+        return Remembered(number, form * facing, letter_, facing)
+
+    def sign_of(self, step: int) -> Formula:
+        """The branch sign that a step brings in; 1 when it has one value."""
         for place, axis in enumerate(self.program.axes):
             if axis.step == step:
                 return branch_sign(place)
-        return None
+        return ONE
+
+    def frame_of(self, point: Point) -> int:
+        """The first frame whose origin a named point is."""
+        problem = self.derivation.problem
+        frames = range(self.dof)
+        return min(k for k in frames if steps_back(problem, k).translation == point.in_tool)
+
+    def is_wrist_frame(self, frame: int) -> bool:
+        """Whether the origin of a frame is the wrist centre."""
+        return self.wrist is not None and frame >= self.wrist[0] - 1
 
     def form(self, m: int, k: int) -> Form:
         """Both sides of a mixed form."""
@@ -150,17 +201,3 @@ class Story:
         """Whether the branches have names in words."""
         return any(axis.meaning != ("+", "-") for axis in self.program.axes)
 
-
-def other_form(algebra: Algebra, step: Step) -> Polynomial:
-    """Y s - X c of an equation X s + Y c = Z."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
-    s, c = algebra.generator(angle.sine), algebra.generator(angle.cosine)
-    return step.coefficient("Y") * s - step.coefficient("X") * c
-
-
-def remembered_letter(step: Step) -> Symbol:
-    """D_1: what Y s - X c is called."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
-    return letter("D", "D", joint_index(angle))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.names import unknown_symbol
 from dhgen.targets.derivation.plain import words
-from dhgen.targets.derivation.steps import element_of, step_origins
+from dhgen.targets.derivation.steps import element_of
 from dhgen.targets.derivation.style import PLAIN, show
 from dhgen.targets.derivation.words import counted, many
 
@@ -35,7 +35,7 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
 def _step(story: Story, number: int) -> tuple[str, str]:
     step = story.steps[number - 1]
     names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
-    where = " and ".join(show(element_of(origin), PLAIN) for origin in step_origins(step))
+    where = " and ".join(show(element_of(origin), PLAIN) for origin in step.origins)
     values = counted(step.roots, "value")
     return f"{number}. {names}: type {step.kind.value}, {values},", f"from {where}"
 

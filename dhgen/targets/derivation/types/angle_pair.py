@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.formula import (
+    ONE,
     ZERO,
     Call,
     Formula,
-    Listing,
     add,
     atan2,
     equal,
@@ -21,15 +22,17 @@ from dhgen.targets.derivation.formula import (
     times,
 )
 from dhgen.targets.derivation.joint_space import point_name
-from dhgen.targets.derivation.names import cosine, sine, theta
+from dhgen.targets.derivation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.values import constant_value
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import StepContext
 
 X1, Y1, Z1, X2, Y2, Z2 = (type_letter(name) for name in ("X1", "Y1", "Z1", "X2", "Y2", "Z2"))
-DELTA = type_letter("Δ")
+DELTA = letter(r"\Delta", "Δ")
+CLOSE = 1e-9  # two links nearer in length than this, relative to their sum, are equal
 
 
 def print_angle_pair(context: StepContext) -> StepText:
@@ -42,9 +45,8 @@ def print_angle_pair(context: StepContext) -> StepText:
 def is_direct(context: StepContext) -> bool:
     """Whether each equation holds only the sine or only the cosine, with a constant factor."""
     zeros = [not context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2")]
-    return zeros in ([True, False, False, True], [False, True, True, False]) and context.is_constant(
-        "X1", "Y1", "X2", "Y2"
-    )
+    alone = zeros in ([True, False, False, True], [False, True, True, False])
+    return alone and context.is_constant("X1", "Y1", "X2", "Y2")
 
 
 def _direct(context: StepContext) -> StepText:
@@ -54,64 +56,116 @@ def _direct(context: StepContext) -> StepText:
     lines = []
     for symbol, factor, value in ((s, "X" + number, "Z" + number), (c, "Y" + other, "Z" + other)):
         full = over(context.story.write(context.polynomial(value)), context.value(factor))
-        short = over(context.value(value), context.value(factor))
-        lines.append(equal(symbol, full, short))
-    return StepText(
-        (
-            paragraph("Sine and cosine stand alone,"),
-            display(*lines),
-            display(equal(theta(context.angle), atan2(s, c))),
-        )
-    )
+        lines.append(equal(symbol, full, over(context.value(value), context.value(factor))))
+    solution = equal(theta(context.angle), atan2(s, c))
+    return StepText((paragraph("Sine and cosine stand alone:"), display(*lines, solution)))
 
 
 def _cramer(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     first, second = add(times(X1, s), times(Y1, c)), add(times(X2, s), times(Y2, c))
-    delta, turned = _determinant(context)
-    above = subtract(times(Z1, Y2), times(Z2, Y1)), subtract(times(X1, Z2), times(X2, Z1))
-    if turned > 0:
-        above = subtract(times(X1, Z1), times(Y1, Z2)), add(times(X1, Z2), times(Y1, Z1))
-    elif turned < 0:
-        above = add(times(X1, Z1), times(Y1, Z2)), subtract(times(Y1, Z1), times(X1, Z2))
-    facing: Formula | None = None if turned else Call("sgn", (DELTA,))
-    parts = [a if facing is None else times(facing, a) for a in above]
+    turned = _turned(context)
+    delta = subtract(times(X1, Y2), times(X2, Y1))
+    parts: tuple[Formula, Formula]
+    if turned:
+        delta = equal(delta, times(_one(turned), add(square(X1), square(Y1))))
+        parts = _turned_parts(turned)
+    else:
+        facing = Call("sgn", (DELTA,))
+        delta = equal(DELTA, delta, _determinant(context))
+        parts = (
+            times(facing, subtract(times(Z1, Y2), times(Z2, Y1))),
+            times(facing, subtract(times(X1, Z2), times(X2, Z1))),
+        )
     blocks: list[Block] = [
         paragraph("These are {} and {} with", equal(first, Z1), equal(second, Z2)),
         display(*_definitions(context, turned)),
-        paragraph("The determinant is {}, so Cramer's rule gives", delta),
+        paragraph("The determinant is {}, and Cramer's rule gives", delta),
         display(equal(theta(context.angle), atan2(*parts))),
     ]
     if context.is_constant("X1", "Y1", "X2", "Y2"):
         return StepText(tuple(blocks))
-    condition = Listing((equal(Z1, ZERO), equal(Z2, ZERO))) if turned else equal(DELTA, ZERO)
-    meaning = say(f"{point_name(context)} is where {{}} does not move it", theta(context.angle))
-    free = Singularity(context.number, condition, None, meaning, free_effect(context))
-    size = add(square(Z1), square(Z2))
-    both = equal(add(square(X1), square(Y1)), size)
-    text = "Degenerate when {}: then {}, and {}."
-    shown: Formula = equal(*both.sides, ZERO) if turned else condition
-    blocks.append(paragraph(text, shown, free.meaning, free.effect))
+    free = _free(context, turned)
+    blocks.append(
+        paragraph(
+            "Degenerate when {}{}: {}. Then {}.",
+            _vanishing(turned), _only_if(context), free.meaning, free.effect,
+        )  # fmt: skip
+    )
     return StepText(tuple(blocks), (free,))
+
+
+def _free(context: StepContext, turned: int) -> Singularity:
+    about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
+    meaning = say("every {} serves", theta(context.angle))
+    if about is not None and turned:
+        meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
+    return Singularity(
+        context.number, say_condition(turned), None, say("{}{}", meaning, _only_if(context)),
+        free_effect(context),
+    )  # fmt: skip
+
+
+def say_condition(turned: int) -> Formula:
+    """Where the angle is free."""
+    return equal(Z1, Z2, ZERO) if turned else equal(DELTA, ZERO)
+
+
+def _vanishing(turned: int) -> Formula:
+    if not turned:
+        return equal(DELTA, ZERO)
+    return equal(add(square(X1), square(Y1)), add(square(Z1), square(Z2)), ZERO)
+
+
+def _only_if(context: StepContext) -> Prose:
+    """That two links must be equal, where the same equations gave the angle between them."""
+    own = {form.equation for form in context.step.forms}
+    vectors = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
+    algebra = context.story.algebra
+    for step in context.story.steps[: context.number - 1]:
+        if step.kind not in vectors or {form.equation for form in step.forms} != own:
+            continue
+        lengths = []
+        for name in "VW":
+            parts = [step.coefficient(name + part) for part in "12"]
+            if not all(map(algebra.is_constant, parts)):
+                return say("")
+            lengths.append(sum(constant_value(algebra, part) ** 2 for part in parts) ** 0.5)
+        equal_links = abs(lengths[0] - lengths[1]) <= CLOSE * sum(lengths)
+        ending = "as here" if equal_links else "unlike here"
+        return say(f" (possible only with two links of equal length, {ending})")
+    return say("")
+
+
+def _one(sign: int) -> Formula:
+    return minus(ONE) if sign < 0 else ONE
+
+
+def _turned_parts(turned: int) -> tuple[Formula, Formula]:
+    if turned > 0:
+        return subtract(times(X1, Z1), times(Y1, Z2)), add(times(X1, Z2), times(Y1, Z1))
+    return add(times(X1, Z1), times(Y1, Z2)), subtract(times(Y1, Z1), times(X1, Z2))
 
 
 def _definitions(context: StepContext, turned: int) -> list[Formula]:
     """The letters; those that repeat another are given by it."""
-    names = ["X1", "Y1", "Z1", "Z2"] if turned else ["X1", "Y1", "Z1", "X2", "Y2", "Z2"]
-    lines = [context.definition(name) for name in names]
+    lines: list[Formula] = [context.definition(name) for name in ("X1", "Y1", "Z1")]
     if turned:
-        x, y = (minus(Y1), X1) if turned > 0 else (Y1, minus(X1))
-        lines.insert(3, Listing((equal(X2, x), equal(Y2, y))))
-    return lines
+        lines += [equal(X2, times(_one(-turned), Y1)), equal(Y2, times(_one(turned), X1))]
+    else:
+        lines += [context.definition("X2"), context.definition("Y2")]
+    return [*lines, context.definition("Z2")]
 
 
-def _determinant(context: StepContext) -> tuple[Formula, int]:
-    """X1 Y2 - X2 Y1, and +1 or -1 when the second row is the first one turned."""
+def _turned(context: StepContext) -> int:
+    """+1 or -1 when the second row is the first one turned by a right angle, else 0."""
     x1, y1, x2, y2 = (context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
-    full = subtract(times(X1, Y2), times(X2, Y1))
     if (x2, y2) == (-y1, x1):
-        return equal(full, add(square(X1), square(Y1))), 1
-    if (x2, y2) == (y1, -x1):
-        return equal(full, minus(add(square(X1), square(Y1)))), -1
+        return 1
+    return -1 if (x2, y2) == (y1, -x1) else 0
+
+
+def _determinant(context: StepContext) -> Formula:
+    x1, y1, x2, y2 = (context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
     determinant = context.story.algebra.normal(x1 * y2 - x2 * y1)
-    return equal(DELTA, full, context.story.write(determinant, context.number)), 0
+    return context.story.write(determinant, context.number)

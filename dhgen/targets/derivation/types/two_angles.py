@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import merged_effect
 from dhgen.targets.derivation.formula import (
     ZERO,
     Formula,
-    Listing,
-    Size,
     add,
     atan2,
     equal,
@@ -23,67 +20,85 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
+from dhgen.targets.derivation.joint_space import unsigned
 from dhgen.targets.derivation.names import cosine, letter, sine, theta
+from dhgen.targets.derivation.ring import primitive
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.values import constant_value
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import StepContext
 
 X, Y, Z1, Z2 = (type_letter(name) for name in ("X", "Y", "Z1", "Z2"))
-K = letter("K", "K")
+K, W = letter("K", "K"), letter("W", "W")
+REACH = add(square(Z1), square(Z2))
 
 
 def print_two_angles(context: StepContext) -> StepText:
     """The law of cosines for the angle between two links, or an angle by itself."""
     s, c = sine(context.angle), cosine(context.angle)
     x, y, rest = reduced_coefficients(context)
-    write = context.story.write
-    reach = add(square(Z1), square(Z2))
-    k = subtract(reach, write(rest))
-    names = [name for name, value in (("X", x), ("Y", y)) if value]
-    left = add(*(times(type_letter(n), s if n == "X" else c) for n in names))
+    named = [(letter_, part, f) for letter_, part, f in ((X, x, s), (Y, y, c)) if part]
+    left = add(*(times(letter_, function) for letter_, _, function in named))
     lines: list[Formula] = [context.definition("Z1"), context.definition("Z2")]
-    values = {"X": x, "Y": y}
-    lines += [equal(type_letter(n), write(values[n], context.number)) for n in names]
-    lines.append(equal(K, k))
+    lines += [equal(letter_, context.story.write(part, context.number)) for letter_, part, _ in named]
+    lines.append(equal(K, subtract(REACH, context.story.write(rest))))
+    met = _met(context, x, y)
+    far = relation(square(K), ">", add(*(square(letter_) for letter_, _, _ in named)))
     blocks: list[Block] = [
-        paragraph(
-            "With the known terms on the right, called {} and {}, the sum of the squares of both "
-            "equations holds {} alone: {}, where",
-            Z1, Z2, theta(context.angle), equal(left, K),
-        ),
+        *_squares(context, x, y, rest),
+        paragraph("This is {} with", equal(left, K)),
         display(*lines),
         *_solution(context, x, y),
-    ]
-    met = _met(context, x, y)
-    far = relation(square(K), ">", add(*(square(type_letter(n)) for n in names)))
-    blocks.append(
         paragraph(
-            "No solution when {}{}. The two solutions meet when the two sides are equal: {}; then {}.",
+            "No solution when {}{}. The two solutions meet when both sides are equal: {}. Then {}.",
             far, _reach(context), met.meaning, met.effect,
-        )
-    )
+        ),
+    ]  # fmt: skip
     return StepText(tuple(blocks), (met,))
+
+
+def _squares(
+    context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomial
+) -> list[Block]:
+    """The equation that the sum of the squares gives."""
+    if "X" not in dict(context.step.coefficients):
+        return [
+            paragraph(
+                "Called {} and {} are the known terms, moved to the right. With the terms of the other "
+                "angle alone on one side, the sum of the squares holds {} only.",
+                Z1, Z2, theta(context.angle),
+            )
+        ]  # fmt: skip
+    algebra = context.story.algebra
+    s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
+    whole = x * s + y * c + rest
+    return [
+        paragraph(
+            "With the known terms moved to the right and called {} and {}, the sum of the squares of "
+            "both equations holds {} alone:",
+            Z1, Z2, theta(context.angle),
+        ),
+        display(equal(context.story.write_forward(whole), REACH)),
+    ]  # fmt: skip
 
 
 def reduced_coefficients(context: StepContext) -> tuple[Polynomial, Polynomial, Polynomial]:
     """X, Y and N of X s + Y c = Z1^2 + Z2^2 - N for the step's angle."""
-    step = context.step
-    letters = dict(step.coefficients)
+    letters = dict(context.step.coefficients)
     if "X" in letters:
         return letters["X"], letters["Y"], letters["N"]
-    sense = -1 if _runs_backwards(context) else 1
+    first = context.step.forms[0]
+    backwards = first.coefficient(context.angle.sine) == letters["V2"] != 0
     v1, v2, z1, z2 = (letters[name] for name in ("V1", "V2", "Z1", "Z2"))
     normal = context.story.algebra.normal
-    x = normal(2 * sense * (z2 * v1 - z1 * v2))
-    return x, normal(2 * (z1 * v1 + z2 * v2)), -letters["N"]
-
-
-def _runs_backwards(context: StepContext) -> bool:
-    first = context.step.forms[0]
-    return first.coefficient(context.angle.sine) == context.polynomial("V2") != 0
+    if backwards:
+        v2 = -v2
+        x = normal(2 * (-z2 * v1 - z1 * v2))
+        return x, normal(2 * (z1 * v1 - z2 * v2)), -letters["N"]
+    return normal(2 * (z2 * v1 - z1 * v2)), normal(2 * (z1 * v1 + z2 * v2)), -letters["N"]
 
 
 def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]:
@@ -91,57 +106,68 @@ def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]
     sign = context.sign
     name = theta(context.angle)
     if x and y:
-        w = letter("W", "W")
         radicand = subtract(add(square(X), square(Y)), square(K))
+        solution = atan2(add(times(X, K), times(Y, W)), subtract(times(Y, K), times(X, W)))
         return [
+            paragraph("The squares of both combinations of {} and {} add up to {}, so", s, c,
+                      add(square(X), square(Y))),
             display(
-                equal(w, subtract(times(Y, s), times(X, c)), times(sign, root(radicand))),
-                equal(name, atan2(add(times(X, K), times(Y, w)), subtract(times(Y, K), times(X, w)))),
-            )
-        ]
-    one = subtract(square(Y if y else X), square(K))
+                equal(W, subtract(times(Y, s), times(X, c)), times(sign, root(radicand))),
+                equal(name, solution),
+            ),
+        ]  # fmt: skip
     below = Y if y else X
-    known, free = over(K, below), over(times(sign if y else minus(sign), root(one)), below)
+    length = root(subtract(square(below), square(K)))
+    known = over(K, below)
+    free = over(times(sign if y else minus(sign), length), below)
     lines = (equal(c, known), equal(s, free)) if y else (equal(s, known), equal(c, free))
-    return [display(Listing(lines)), display(equal(name, atan2(s, c)))]
+    return [display(*lines, equal(name, atan2(s, c)))]
 
 
 def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
-    s, c = context.story.algebra.generator(context.angle.sine), context.story.algebra.generator(
-        context.angle.cosine
-    )
-    form = context.story.algebra.normal(y * s - x * c)
-    names = [n for n, value in (("X", x), ("Y", y)) if value]
-    condition = equal(square(K), add(*(square(type_letter(n)) for n in names)))
+    algebra = context.story.algebra
+    s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
+    condition = equal(square(K), add(*(square(n) for n, part in ((X, x), (Y, y)) if part)))
     joints = None
+    meaning = say("the point is at the edge of its reach")
     if context.is_constant("V1", "V2", "W1", "W2"):
-        _, inner = _primitive(form)
-        joints = equal(context.story.write_forward(inner), ZERO)
-    meaning = say("the arm is stretched or folded")
-    if context.step.kind is not Kind.ANGLE_AND_SUM and not context.is_constant("V1", "V2", "W1", "W2"):
-        meaning = say("the two circles touch")
+        shared = _without_lengths(context, algebra.normal(y * s - x * c))
+        joints = equal(unsigned(context.story, shared), ZERO)
+        meaning = say("the arm is stretched or folded")
     return Singularity(context.number, condition, joints, meaning, merged_effect(context))
 
 
-def _primitive(form: Polynomial) -> tuple[object, Polynomial]:
-    """The form without numbers and lengths that all its terms share."""
-    from dhgen.targets.derivation.ring import content, primitive  # noqa: PLC0415
-
+def _without_lengths(context: StepContext, form: Polynomial) -> Polynomial:
+    """A form without the numbers and lengths that all its terms share."""
     _, rest = primitive(form)
-    return content(rest)
-
-
-def _reach(context: StepContext) -> object:
-    """The longest and the shortest reach, for two links of fixed length."""
-    if not context.is_constant("V1", "V2", "W1", "W2"):
-        return say("")
-    v, w = _length(context, "V"), _length(context, "W")
-    return say(
-        ": the point with the coordinates {}, {} is farther than {} or nearer than {}",
-        Z1, Z2, add(v, w), Size(subtract(v, w)),
+    algebra = context.story.algebra
+    first = len(algebra.ring.gens) - len(algebra.chain.ring.gens)
+    common = tuple(min(powers) for powers in zip(*rest, strict=True))
+    lowered = tuple(0 if place < first else power for place, power in enumerate(common))
+    return algebra.ring.from_dict(
+        {
+            tuple(e - p for e, p in zip(monomial, lowered, strict=True)): coefficient
+            for monomial, coefficient in rest.terms()
+        }
     )
 
 
-def _length(context: StepContext, name: str) -> Formula:
-    parts = [context.value(name + part) for part in "12" if context.polynomial(name + part)]
-    return root(add(*(square(part) for part in parts)))
+def _reach(context: StepContext) -> Prose:
+    """The longest and the shortest reach, for two links of fixed length."""
+    if not context.is_constant("V1", "V2", "W1", "W2"):
+        return say("")
+    (v, v_value), (w, w_value) = _length(context, "V"), _length(context, "W")
+    longer, shorter = (v, w) if v_value >= w_value else (w, v)
+    text = ": {} is greater than {} or less than {}"
+    return say(text, root(REACH), add(v, w), subtract(longer, shorter))
+
+
+def _length(context: StepContext, name: str) -> tuple[Formula, float]:
+    """The length of a vector, as a formula and as a number."""
+    names = [name + part for part in "12" if context.polynomial(name + part)]
+    values = [constant_value(context.story.algebra, context.polynomial(each)) for each in names]
+    size = sum(value * value for value in values) ** 0.5
+    if len(names) > 1:
+        return root(add(*(square(context.value(each)) for each in names))), size
+    formula = context.value(names[0])
+    return (minus(formula) if values[0] < 0.0 else formula), size

@@ -1,0 +1,61 @@
+"""The numbers of the arm: the user's parameters, and numbers that the formulas give a letter."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.robot.expression import Negate, Number
+from dhgen.targets.derivation.blocks import Given, joined, paragraph, say
+from dhgen.targets.derivation.expressions import expression_symbol
+from dhgen.targets.derivation.formula import Symbol, equal
+from dhgen.targets.derivation.names import parameter
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Constant
+    from dhgen.robot.robot import Parameter
+    from dhgen.targets.derivation.blocks import Block, Prose
+    from dhgen.targets.derivation.story import Story
+
+
+def constant_blocks(story: Story) -> list[Block]:
+    """Every letter of the formulas that stands for a number."""
+    blocks: list[Block] = []
+    used = {constant.name: constant for constant in story.algebra.chain.constants}
+    shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
+    if shown:
+        blocks.append(paragraph("Parameters: {}.", joined(shown)))
+    own = {each.name for each in story.robot.parameters}
+    made = [
+        _constant(story, constant)
+        for name, constant in used.items()
+        if name not in own and constant.square is None
+    ]
+    if made:
+        blocks.append(paragraph("Numbers without a name in the file: {}.", joined(made)))
+    return blocks
+
+
+def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
+    value = _number(each.value)
+    written = each.expression
+    plain = isinstance(written, Number) or (
+        isinstance(written, Negate) and isinstance(written.operand, Number)
+    )
+    sides = [parameter(each.name), *([] if plain else [expression_symbol(written)]), value]
+    is_length = constant is not None and constant.is_length
+    unit = say(" {}", Given(story.robot.length_unit)) if is_length else say("")
+    return say("{}{}", equal(*sides), unit)
+
+
+def _constant(story: Story, constant: Constant) -> Prose:
+    unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
+    symbol = story.letters[constant.name]
+    return say("{}{} ({})", equal(symbol, _number(constant.value)), unit, Given(constant.meaning))
+
+
+def _number(value: float) -> Symbol:
+    text = repr(value).removesuffix(".0")
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return Symbol(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", text)
+    return Symbol(text, text.replace("-", "−"))
