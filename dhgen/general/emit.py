@@ -63,6 +63,7 @@ def _tolerances() -> dict[str, object]:
         "arctangent": _numbers(arctangent()),
         "tangent": repr(sqrt(2.0) - 1.0),
         "pi": repr(pi),
+        "turn": repr(2 * pi),
         "half": repr(pi / 2),
         "quarter": repr(pi / 4),
         "almost_pi": repr(pi - 1e-14),
