@@ -11,6 +11,7 @@ from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
+from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -54,7 +55,8 @@ def derive(chain: Chain) -> Derivation:
         UnsolvedError: No order of steps makes every joint known.
     """
     pool = build_pool(build_problem(build_algebra(chain)))
-    search = Search(pool)
-    for route in search.routes():
-        return Derivation(pool, route.steps, route.alternatives)
-    raise UnsolvedError(refusal(search, chain))
+    closed = Search(pool, CLOSED)
+    for search in (closed, Search(pool, QUARTIC)):
+        for route in search.routes():
+            return Derivation(pool, route.steps, route.alternatives)
+    raise UnsolvedError(refusal(closed, chain))

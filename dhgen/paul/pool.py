@@ -143,7 +143,8 @@ def build_pool(problem: Problem) -> Pool:
     links = problem.links
     dof = len(links)
     points: list[Point] = []
-    rights = [_moved_right(problem, k, points) for k in range(dof + 1)]
+    steps = [_right_inverse(problem, k) for k in range(dof + 1)]
+    rights = [_moved_right(problem, step, points) for step in steps]
     equations: list[Equation] = []
     for m in range(dof):
         before = [element for link in links[:m] for element in link]
@@ -152,7 +153,7 @@ def build_pool(problem: Problem) -> Pool:
             middle = product((element for link in links[m:k] for element in link), algebra)
             moved = compose(left, rights[k], algebra.normal)
             equations += _entries(m, k, dof, moved, middle)
-            equations += _squared_length(problem, m, k, moved, middle)
+            equations += _squared_length(problem, Origin(m, k, dof, 0, 4), moved, steps[k], middle)
     withheld = _Withheld(problem)
     usable = (e for e in equations if e.difference and not withheld(e.difference))
     return Pool(problem, _merged(usable), tuple(points))
@@ -171,11 +172,15 @@ def _merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
     return tuple(merged.values())
 
 
-def _moved_right(problem: Problem, k: int, points: list[Point]) -> Transform:
+def _right_inverse(problem: Problem, k: int) -> Transform:
+    """(A_{k+1} ... A_n)^-1."""
+    after = [element for link in problem.links[k:] for element in link]
+    return product(reversed_elements(after, problem.algebra), problem.algebra)
+
+
+def _moved_right(problem: Problem, step: Transform, points: list[Point]) -> Transform:
     """U_0 (A_{k+1} ... A_n)^-1, its origin by name when it is a known point."""
     algebra = problem.algebra
-    after = [element for link in problem.links[k:] for element in link]
-    step = product(reversed_elements(after, algebra), algebra)
     moved = compose(problem.target, step, algebra.normal)
     in_tool = step.translation
     hidden = any(map(_Withheld(problem), moved.translation))
@@ -219,27 +224,41 @@ def _equation(origin: Origin, left: Polynomial, right: Polynomial) -> Equation:
 
 
 def _squared_length(
-    problem: Problem, m: int, k: int, left: Transform, right: Transform
+    problem: Problem, origin: Origin, left: Transform, step: Transform, right: Transform
 ) -> list[Equation]:
-    """The distance between the origins of frames m and k, where column 4 holds a known point."""
-    algebra = problem.algebra
-    if any(_uses_right_joints(problem, k, entry) for entry in left.translation):
+    """The squared distance between the origins of frames m and k.
+
+    With v the origin of frame k in the tool, which may depend on one joint, the known side of the
+    form m = 0 is |v|^2 + |t|^2 + 2 v.(R' t), where U_0 = [R | t]: the rows of R are unit vectors,
+    and products of its entries would not show that.
+    """
+    normal = problem.algebra.normal
+    joints = _right_joints(problem, origin.k, step.translation)
+    if len(joints) > 1 or (joints and origin.m > 0):
         return []
-    first = dot(left.translation, left.translation, algebra.normal)
-    second = dot(right.translation, right.translation, algebra.normal)
-    return [_equation(Origin(m, k, len(problem.links), 0, 4), first, second)]
+    second = dot(right.translation, right.translation, normal)
+    if not joints:
+        first = dot(left.translation, left.translation, normal)
+        return [_equation(origin, first, second)]
+    t, v = problem.target.translation, step.translation
+    turned = [dot(problem.target.column(column), t, normal) for column in range(3)]
+    first = dot(t, t, normal) + dot(v, v, normal) + 2 * dot(turned, v, normal)
+    return [_equation(origin, first, second)]
 
 
-def _uses_right_joints(problem: Problem, k: int, entry: Polynomial) -> bool:
+def _right_joints(problem: Problem, k: int, vector: tuple[Polynomial, ...]) -> set[int]:
+    """The joints after k on which a vector depends."""
     algebra = problem.algebra
-    late = [
-        algebra.index[name]
+    places = {
+        algebra.index[name]: angle.terms[-1][0]
         for angle in algebra.angles
-        if angle.terms[-1][0] > k
         for name in (angle.cosine, angle.sine)
-    ]
-    late += [algebra.index[name] for joint, name in algebra.slides.items() if joint > k]
-    return any(monomial[place] for monomial in entry for place in late)
+    } | {algebra.index[name]: joint for joint, name in algebra.slides.items()}
+    return {
+        joint
+        for place, joint in places.items()
+        if joint > k and any(monomial[place] for entry in vector for monomial in entry)
+    }
 
 
 class _Withheld:

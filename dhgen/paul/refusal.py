@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.paul.problem import task_dimension
-from dhgen.paul.types import TYPES
+from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -92,7 +92,7 @@ def _reasons(search: Search, forms: list[Form], view: View) -> tuple[str, ...]:
     singles = [(form,) for form in forms]
     pairs = [group for group in search.groups(forms) if len(group) == 2]
     types_of: dict[str, list[str]] = {}
-    for equation_type in TYPES:
+    for equation_type in CLOSED:
         groups: Sequence[tuple[Form, ...]] = singles if equation_type.arity == 1 else pairs
         reasons = Counter(reason for g in groups if (reason := equation_type.why_not(g, view)))
         usual = max(reasons, key=reasons.__getitem__, default=NO_PAIR)

@@ -16,7 +16,6 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.step import View
-from dhgen.paul.types import TYPES
 from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
@@ -25,8 +24,9 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
-    from dhgen.paul.step import Step
+    from dhgen.paul.step import EquationType, Step
 
+SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
 
 
@@ -46,12 +46,15 @@ class Route:
 class Search:
     """The states of knowledge of one arm and the steps between them."""
 
-    def __init__(self, pool: Pool) -> None:
+    def __init__(self, pool: Pool, types: tuple[EquationType, ...]) -> None:
+        self._types = types
+        self._anywhere = any(equation_type.anywhere for equation_type in types)
         self._reader = FormReader(pool)
         self._start = initial_knowledge(pool.problem.algebra)
         self._view = View(self._start, build_witnesses(pool))
         self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
+        self._partners: set[frozenset[int]] = set()
         self._lines = {id(equation): equation.lines for equation in pool.equations}
         self.deepest: Knowledge = self._start
 
@@ -87,14 +90,19 @@ class Search:
 
     def _steps(self, group: tuple[Form, ...], view: View) -> tuple[Step, ...]:
         """What equations give; the same forms at another state give the same."""
+        beside = len(group) == 1 or self._beside(*group)
         key = tuple(map(id, group))
         if key not in self._steps_of:
             self._steps_of[key] = tuple(
                 step
-                for equation_type in TYPES
-                if equation_type.arity == len(group) and equation_type.why_not(group, view) is None
+                for equation_type in self._types
+                if equation_type.arity == len(group)
+                and (beside or equation_type.anywhere)
+                and equation_type.why_not(group, view) is None
                 for step in equation_type.steps(group, view)
             )
+            if self._steps_of[key] and not beside:
+                self._partners.add(frozenset(id(form.equation) for form in group))
         return self._steps_of[key]
 
     def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
@@ -106,16 +114,27 @@ class Search:
         return self._view.in_state(knowledge)
 
     def groups(self, forms: list[Form]) -> list[tuple[Form, ...]]:
-        """What types are tried on: forms with one unknown, and pairs from one column or row."""
+        """What types are tried on: forms with one unknown, and pairs with the same unknowns."""
         by_unknowns: dict[tuple[Unknown, ...], list[Form]] = {}
         for form in forms:
             by_unknowns.setdefault(form.unknowns, []).append(form)
         groups: list[tuple[Form, ...]] = [(form,) for form in forms if len(form.unknowns) == 1]
         for alike in by_unknowns.values():
             for first, second in combinations(alike, 2):
-                if not self._lines[id(first.equation)].isdisjoint(self._lines[id(second.equation)]):
+                if self._beside(first, second):
                     groups += [(first, second), (second, first)]
+            if self._anywhere:
+                short = sorted(alike, key=lambda form: len(form.equation.difference))[:SHORTEST]
+                groups += [
+                    pair for pair in combinations(short, 2) if not self._beside(*pair)
+                ]
         return groups
+
+    def _beside(self, first: Form, second: Form) -> bool:
+        """Whether two equations stand in one column or row, or have been solved together."""
+        pair = frozenset((id(first.equation), id(second.equation)))
+        lines = self._lines[id(first.equation)]
+        return pair in self._partners or not lines.isdisjoint(self._lines[id(second.equation)])
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start

@@ -33,6 +33,7 @@ class Kind(Enum):
     TWO_ANGLES = 6  # W s_k = X c_i + Y s_i + Z1, W c_k = X s_i - Y c_i + Z2
     TWO_ANGLES_TURNED = 7  # the same with W1 c_k + W2 s_k
     ANGLE_AND_SUM = 8  # X c_i + Y c_{i+k} = Z1, X s_i + Y s_{i+k} = Z2
+    CIRCLE = 9  # beyond the table: two equations linear in two angles, a quartic
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +103,7 @@ class EquationType(Protocol):
 
     name: str
     arity: int
+    anywhere: bool  # whether a pair need not stand in one column or row
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why these equations are not of this type, or None when they are."""

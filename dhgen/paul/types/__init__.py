@@ -1,4 +1,8 @@
-"""The equation types, one module each; `TYPES` is the order in which they are tried."""
+"""The equation types, one module each, in the order in which they are tried.
+
+`CLOSED` are the types of the books, with roots of squares only; `QUARTIC` adds type 9, for arms that
+`CLOSED` does not solve.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +11,7 @@ from typing import TYPE_CHECKING
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.types.angle_and_length import AngleAndLength
 from dhgen.paul.types.angle_pair import AnglePair
+from dhgen.paul.types.circle import Circle
 from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.two_angles import TwoAngles
@@ -14,7 +19,7 @@ from dhgen.paul.types.two_angles import TwoAngles
 if TYPE_CHECKING:
     from dhgen.paul.step import EquationType
 
-TYPES: tuple[EquationType, ...] = (
+CLOSED: tuple[EquationType, ...] = (
     SingleLength(),
     Angle(),
     AnglePair(),
@@ -22,3 +27,4 @@ TYPES: tuple[EquationType, ...] = (
     AngleAndLength(),
     TwoAngles(),
 )
+QUARTIC: tuple[EquationType, ...] = (*CLOSED, Circle())

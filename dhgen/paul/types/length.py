@@ -21,6 +21,7 @@ class SingleLength:
 
     name = "type 1"
     arity = 1
+    anywhere = False
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equation is not X r = Y."""

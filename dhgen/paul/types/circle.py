@@ -1,0 +1,189 @@
+"""Type 9: two equations linear in the cosines and sines of two angles.
+
+P1 c_i + Q1 s_i + R1 = 0 and P2 c_i + Q2 s_i + R2 = 0, where P, Q and R are at most linear in c_j and
+s_j. Solved for c_i and s_i, the sum of their squares is 1: a trigonometric polynomial in theta_j. It is
+of degree 2, with at most four roots, when P and Q are known, and when (P2, Q2) is (P1, Q1) turned by
+a right angle (D. L. Pieper, The kinematics of manipulators under computer control, 1968: the arm
+before a spherical wrist). Three concurrent or parallel axes anywhere in the arm end here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.step import Kind, Step
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.forms import Form
+    from dhgen.paul.step import View
+
+PENALTY = 500
+ROOTS = 4
+FLAT = 1e-6  # of the polynomial's size: a slope this small is that of a double root
+
+
+@dataclass(frozen=True, slots=True)
+class Linear:
+    """A coefficient as it depends on the angle that stays: one + cosine c_j + sine s_j."""
+
+    one: Polynomial
+    cosine: Polynomial
+    sine: Polynomial
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it does not depend on that angle."""
+        return not self.cosine and not self.sine
+
+    def is_same(self, other: Linear, sign: int) -> bool:
+        """Whether it is the other, times a sign."""
+        mine = (self.one, self.cosine, self.sine)
+        theirs = (other.one, other.cosine, other.sine)
+        return all(a == sign * b for a, b in zip(mine, theirs, strict=True))
+
+    @property
+    def letters(self) -> tuple[Polynomial, Polynomial, Polynomial]:
+        """The three parts."""
+        return self.one, self.cosine, self.sine
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """Two equations by the angle that is eliminated (i) and the one that stays (j)."""
+
+    eliminated: AngleSum
+    kept: AngleSum
+    p: tuple[Linear, Linear]
+    q: tuple[Linear, Linear]
+    r: tuple[Linear, Linear]
+
+    @property
+    def is_known(self) -> bool:
+        """Whether P and Q are known."""
+        return all(each.is_known for each in (*self.p, *self.q))
+
+    @property
+    def turned(self) -> int:
+        """+1 or -1 when (P2, Q2) is (-Q1, P1) times that sign, else 0."""
+        for sign in (1, -1):
+            if self.p[1].is_same(self.q[0], -sign) and self.q[1].is_same(self.p[0], sign):
+                return sign
+        return 0
+
+
+class Circle:
+    """Type 9, up to four values."""
+
+    name = "type 9"
+    arity = 2
+    anywhere = True
+
+    def why_not(self, forms: Sequence[Form], view: View) -> str | None:
+        """Why the equations give no polynomial of degree 2."""
+        splits = _splits(forms)
+        if isinstance(splits, str):
+            return splits
+        fitting = [split for split in splits if split.is_known or split.turned]
+        if not fitting:
+            return "the polynomial would be of a higher degree than 2"
+        if not any(_is_sound(split, view) for split in fitting):
+            return "the polynomial vanishes, or has only double roots"
+        return None
+
+    def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
+        """A step for each angle that can stay."""
+        splits = _splits(forms)
+        if isinstance(splits, str):
+            return
+        for split in splits:
+            if (split.is_known or split.turned) and _is_sound(split, view):
+                yield _step(split, forms)
+
+
+def _step(split: Split, forms: Sequence[Form]) -> Step:
+    letters = tuple(
+        (f"{letter}{number}{part}", value)
+        for letter, pair in (("P", split.p), ("Q", split.q), ("R", split.r))
+        for number, linear in enumerate(pair, start=1)
+        for part, value in zip(("", "c", "s"), linear.letters, strict=True)
+    )
+    penalty = PENALTY + sum(len(value) for _, value in letters)
+    return Step(Kind.CIRCLE, (split.kept,), tuple(forms), letters, ROOTS, penalty)
+
+
+def _splits(forms: Sequence[Form]) -> list[Split] | str:
+    first, second = forms
+    if first.unknowns != second.unknowns or len(first.unknowns) != 2:
+        return "not the same two unknowns"
+    angles = [angle for angle in first.unknowns if isinstance(angle, AngleSum)]
+    if len(angles) != 2:
+        return "the unknowns are not two angles"
+    one, other = angles
+    mixed = [(x, y) for x in (one.cosine, one.sine) for y in (other.cosine, other.sine)]
+    single = [(name,) for angle in angles for name in (angle.cosine, angle.sine)]
+    if not all(form.within([(), *single, *mixed]) for form in forms):
+        return "not linear in the cosines and sines of each angle"
+    return [_split(forms, one, other), _split(forms, other, one)]
+
+
+def _split(forms: Sequence[Form], eliminated: AngleSum, kept: AngleSum) -> Split:
+    def linear(form: Form, *names: str) -> Linear:
+        return Linear(
+            form.coefficient(*names),
+            form.coefficient(*names, kept.cosine),
+            form.coefficient(*names, kept.sine),
+        )
+
+    first, second = forms
+    return Split(
+        eliminated,
+        kept,
+        (linear(first, eliminated.cosine), linear(second, eliminated.cosine)),
+        (linear(first, eliminated.sine), linear(second, eliminated.sine)),
+        (linear(first), linear(second)),
+    )
+
+
+def _is_sound(split: Split, view: View) -> bool:
+    """Whether the true angle is a simple root on every witness."""
+    cosine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.cosine))
+    sine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.sine))
+    parts = [_numeric(linear, view) for linear in (*split.p, *split.q, *split.r)]
+    slopes, sizes = _slope(parts, cosine, sine, known=split.is_known)
+    return bool(np.all(np.abs(slopes) > FLAT * sizes))
+
+
+Parts = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
+
+
+def _numeric(linear: Linear, view: View) -> Parts:
+    one, cosine, sine = (view.witnesses.evaluate(part) for part in linear.letters)
+    return one, cosine, sine
+
+
+def _slope(
+    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64], *, known: bool
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The polynomial's derivative at the true angle, and its size, on every witness."""
+
+    def at(turn: float) -> NDArray[np.float64]:
+        c = cosine * np.cos(turn) - sine * np.sin(turn)
+        s = sine * np.cos(turn) + cosine * np.sin(turn)
+        p1, p2, q1, q2, r1, r2 = (one + u * c + v * s for one, u, v in parts)
+        if known:
+            determinant = p1 * q2 - q1 * p2
+            return (q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2
+        return r1**2 + r2**2 - p1**2 - q1**2
+
+    step = 1e-4
+    sizes = np.max([np.abs(at(turn)) for turn in np.linspace(0.0, 6.0, 13)], axis=0)
+    return (at(step) - at(-step)) / (2.0 * step), sizes
