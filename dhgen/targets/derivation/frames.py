@@ -78,8 +78,9 @@ def _meeting(story: Story) -> list[Prose]:
     found = []
     for group, ending in ((right, " at a right angle"), (other, "")):
         if group:
-            names = ", and ".join(group)
-            found.append(say(f"{names.capitalize()} meet{ending}: no length separates them."))
+            names = group[0] if len(group) == 1 else f"{', '.join(group[:-1])}, and {group[-1]}"
+            text = f"{names.capitalize()} meet{ending}: there is no link length between them."
+            found.append(say(text))
     return [sentences(found)] if found else []
 
 

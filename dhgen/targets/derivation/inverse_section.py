@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.paul.problem import task_entries
+from dhgen.robot.robot import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
 from dhgen.targets.derivation.forward_section import BASE, TOOL
@@ -36,7 +37,8 @@ def inverse_beginning(story: Story) -> list[Block]:
     blocks += _given(story)
     blocks += _stay(story)
     for point in story.derivation.pool.points:
-        blocks += _point(story, point)
+        if _is_used(story, point):
+            blocks += _point(story, point)
     return blocks + _matrices(story)
 
 
@@ -60,14 +62,20 @@ def _given(story: Story) -> list[Block]:
     named = sorted(task_entries(algebra.chain.task))
     which = say("")
     if len(named) < 12:
-        listed = Listing(tuple(story.letters[n] for n in sorted(problem.known)))
-        which = say(" Of its entries the task gives {}.", listed)
+        which = say(" Of its entries the task gives {}.", _named(story))
     blocks: list[Block] = [
         paragraph("The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method)
     ]
     if left or right:
         blocks += _entries(story, left=left, right=right)
     return blocks
+
+
+def _named(story: Story) -> Prose:
+    """The entries of U_0 that the task gives, without those that repeat others."""
+    if story.algebra.chain.task.kind is TaskKind.ORIENTATION:
+        return say("the nine of the rotation")
+    return say("{}", Listing(tuple(story.letters[n] for n in sorted(story.derivation.problem.known))))
 
 
 def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
@@ -109,6 +117,18 @@ def _stay(story: Story) -> list[Block]:
         "that part with the rest, so it stays where it is: in this section {}."
     )
     return [paragraph(text, joined(stays))]
+
+
+def _is_used(story: Story, point: Point) -> bool:
+    places = [story.algebra.index[name] for name in point.names]
+    return any(
+        monomial[place]
+        for quotes in story.quotes
+        for quote in quotes
+        for side in (quote.left, quote.right)
+        for monomial in side
+        for place in places
+    )
 
 
 def _point(story: Story, point: Point) -> list[Block]:

@@ -120,7 +120,7 @@ class StepContext:
             return facings[0]
         if self.step.kind in _VECTOR_KINDS and name not in {"Z1", "Z2"}:
             return 1
-        return facings[int(name[1]) - 1]
+        return facings[int(name[1]) - 1]  # X1, Z2, P1c: the equation's number comes second
 
     def value(self, name: str) -> Formula:
         """The same as a formula, with the letters that earlier steps gave to forms."""

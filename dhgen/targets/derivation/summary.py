@@ -6,43 +6,43 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.names import unknown_symbol
 from dhgen.targets.derivation.plain import words
-from dhgen.targets.derivation.steps import element_of
+from dhgen.targets.derivation.steps import quoted
 from dhgen.targets.derivation.style import PLAIN, show
-from dhgen.targets.derivation.words import counted, many
+from dhgen.targets.derivation.words import counted
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
 
+LONGEST = 62  # characters of an equation; the rest is in the derivation
+
 
 def summary_text(story: Story, singular: list[Singularity]) -> str:
     """A line for every step, then the branches and the singular places."""
-    lines = [_step(story, number) for number in range(1, len(story.steps) + 1)]
-    width = max(len(head) for head, _ in lines)
-    text = [f"{head:<{width}}  {rest}" for head, rest in lines]
-    rows = story.program.rows
-    signs = ", ".join(axis.name.replace("e", "ε") for axis in story.program.axes)
-    text.append(f"branches: {counted(rows, 'row')}" + (f", signs {signs}" if signs else ""))
-    if story.has_branch_words:
-        text.append("  " + ", ".join(story.branch_names))
-    if singular:
-        text.append("degenerate: " + "; ".join(_singular(each) for each in singular))
+    rows = [_step(story, number) for number in range(1, len(story.steps) + 1)]
+    widths = [max(len(row[column]) for row in rows) for column in range(3)]
+    lines = [
+        "  ".join((*(f"{cell:<{w}}" for cell, w in zip(row[:3], widths, strict=True)), row[3]))
+        for row in rows
+    ]
+    names = ", ".join(story.branch_names) if story.has_branch_words else ""
+    lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
+    lines += [_singular(each) for each in singular]
     if story.derivation.problem.redundant:
-        text.append("every pose is checked: the task asks for more than the arm can choose")
-    return "\n".join(text) + "\n"
+        lines.append("every pose is checked: the task asks for more than the arm can choose")
+    return "\n".join(lines) + "\n"
 
 
-def _step(story: Story, number: int) -> tuple[str, str]:
+def _step(story: Story, number: int) -> tuple[str, str, str, str]:
     step = story.steps[number - 1]
     names = ", ".join(unknown_symbol(unknown).text for unknown in step.unknowns)
-    where = " and ".join(show(element_of(origin), PLAIN) for origin in step.origins)
-    values = counted(step.roots, "value")
-    return f"{number}. {names}: type {step.kind.value}, {values},", f"from {where}"
+    equations = ", ".join(show(equation, PLAIN) for equation in quoted(story, number))
+    if len(equations) > LONGEST:
+        equations = equations[: LONGEST - 1].rstrip() + "…"
+    kind = f"type {step.kind.value}"
+    return f"{number}. {names}", kind, counted(step.roots, "value"), equations
 
 
 def _singular(each: Singularity) -> str:
     condition = each.condition if each.joints is None else each.joints
-    return f"step {each.step} when {show(condition, PLAIN)} ({words(each.meaning)})"
-
-
-__all__ = ["many", "summary_text"]
+    return f"degenerate at {show(condition, PLAIN)}: {words(each.meaning)}"

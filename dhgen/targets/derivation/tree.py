@@ -28,10 +28,10 @@ def tree_text(story: Story) -> str:
 def _levels(story: Story) -> list[tuple[str, str]]:
     """Before each sign and after the last: the sign's name and the unknowns that follow it."""
     levels: list[tuple[str, list[str]]] = [("", [])]
-    signs = {axis.step: place for place, axis in enumerate(story.program.axes)}
     for number, step in enumerate(story.steps, start=1):
-        if number in signs:
-            levels.append((branch_sign(signs[number]).text, []))
+        for place, axis in enumerate(story.program.axes):
+            if axis.step == number:
+                levels.append((branch_sign(place).text, []))
         levels[-1][1].extend(unknown_symbol(unknown).text for unknown in step.unknowns)
     return [(sign, " ".join(names)) for sign, names in levels]
 

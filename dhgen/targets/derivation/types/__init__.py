@@ -8,6 +8,7 @@ from dhgen.paul.step import Kind
 from dhgen.targets.derivation.types.angle import print_angle
 from dhgen.targets.derivation.types.angle_and_length import print_angle_and_length
 from dhgen.targets.derivation.types.angle_pair import print_angle_pair
+from dhgen.targets.derivation.types.circle import print_circle
 from dhgen.targets.derivation.types.length import print_length
 from dhgen.targets.derivation.types.polar import print_polar
 from dhgen.targets.derivation.types.two_angles import print_two_angles
@@ -26,4 +27,5 @@ PRINTERS: dict[Kind, Callable[[StepContext], StepText]] = {
     Kind.TWO_ANGLES: print_two_angles,
     Kind.TWO_ANGLES_TURNED: print_two_angles,
     Kind.ANGLE_AND_SUM: print_two_angles,
+    Kind.CIRCLE: print_circle,
 }

@@ -72,8 +72,10 @@ def _homogeneous(context: StepContext) -> StepText:
         special = atan2(times(sign, y), minus(times(sign, x)))
     blocks = [
         *_letters(context, ZERO, "XY"),
-        paragraph("The vector of {} and {} or the opposite one has this angle:",
-                  sine(context.angle), cosine(context.angle)),
+        paragraph(
+            "{} and {} are proportional to {} and {}, with either sign:",
+            sine(context.angle), cosine(context.angle), Y, minus(X),
+        ),
         display(equal(theta(context.angle), general, special)),
     ]  # fmt: skip
     remembered = context.remembered

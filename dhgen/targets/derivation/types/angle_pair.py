@@ -88,8 +88,7 @@ def _cramer(context: StepContext) -> StepText:
     free = _free(context, turned)
     blocks.append(
         paragraph(
-            "Degenerate when {}{}: {}. Then {}.",
-            _vanishing(turned), _only_if(context), free.meaning, free.effect,
+            "Degenerate when {}: {}. Then {}.", _vanishing(turned), free.meaning, free.effect
         )  # fmt: skip
     )
     return StepText(tuple(blocks), (free,))
@@ -101,14 +100,12 @@ def _free(context: StepContext, turned: int) -> Singularity:
     if about is not None and turned:
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
     return Singularity(
-        context.number, say_condition(turned), None, say("{}{}", meaning, _only_if(context)),
+        context.number,
+        equal(Z1, Z2, ZERO) if turned else equal(DELTA, ZERO),
+        None,
+        say("{}{}", meaning, _only_if(context)),
         free_effect(context),
-    )  # fmt: skip
-
-
-def say_condition(turned: int) -> Formula:
-    """Where the angle is free."""
-    return equal(Z1, Z2, ZERO) if turned else equal(DELTA, ZERO)
+    )
 
 
 def _vanishing(turned: int) -> Formula:
