@@ -262,4 +262,3 @@ def _merged(angles: list[float]) -> list[float]:
         if not kept or x - kept[-1] > WIDTH / 64:
             kept.append(x)
     return kept
-

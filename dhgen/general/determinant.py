@@ -29,7 +29,7 @@ TINY = 1e-300  # keeps the reflection of a zero column finite; it then changes n
 
 
 def pose_monomials(P: FloatArray, *, inverted: bool) -> FloatArray:
-    """The 35 monomials (35, N) of poses (N, 4, 4) or of their inverses; `features` has the order."""
+    """The 35 monomials (35, N) of poses (N, 4, 4) or of their inverses, as in `features`."""
     R, t = np.moveaxis(P[:, :3, :3], 0, -1), P[:, :3, 3].T
     if inverted:
         t = np.stack([-(R[0, j] * t[0] + R[1, j] * t[1] + R[2, j] * t[2]) for j in range(3)])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.general import circle, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, arctangent, grid, harmonics
+from dhgen.general.loop import reach
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -43,7 +44,9 @@ def values(kernel: GeneralKernel) -> dict[str, object]:
         "right": _numbers(_rows(loop.right)),
         "links": [_numbers(_rows(K)) for K in loop.links],
         "per_size": repr(1.0 / loop.size),
-        "nudges": [_numbers(_rows(nudge)) for nudge in _nudges()],
+        # farther than all links in line the arm does not reach
+        "reach": repr((1.0 + 1e-9) * reach(loop) ** 2),
+        "nudges": [_numbers(_rows(nudge)) for nudge in reference.nudges()],
         "formulations": [_formulation(f) for f in kernel.formulations],
         "sample_c": _numbers(circle.sample_cosines()[0]),
         "sample_s": _numbers(circle.sample_cosines()[1]),
@@ -124,24 +127,3 @@ def _formulation(f: Formulation) -> dict[str, object]:
 
 def _padded(row: Sequence[float], length: int) -> list[float]:
     return [*row, *[0.0] * (length - len(row))]
-
-
-def _nudges() -> tuple[Matrix, ...]:
-    """Small motions of growing size: the quaternion (1, v) to length one, and a translation."""
-    return tuple(
-        _motion(
-            (size * a, size * b, size * c), (size * x, size * y, size * z)
-        )
-        for size, (a, b, c, x, y, z) in zip(reference.NUDGES, reference.NUDGE_DIRECTIONS, strict=True)
-    )
-
-
-def _motion(v: tuple[float, float, float], t: tuple[float, float, float]) -> Matrix:
-    x, y, z = v
-    n = 1.0 + x * x + y * y + z * z
-    return (
-        (1 - 2 * (y * y + z * z) / n, 2 * (x * y - z) / n, 2 * (x * z + y) / n, t[0]),
-        (2 * (x * y + z) / n, 1 - 2 * (x * x + z * z) / n, 2 * (y * z - x) / n, t[1]),
-        (2 * (x * z - y) / n, 2 * (y * z + x) / n, 1 - 2 * (x * x + y * y) / n, t[2]),
-        (0.0, 0.0, 0.0, 1.0),
-    )

@@ -107,7 +107,7 @@ def _right_side(links: Sequence[Matrix | None], unit: int) -> list[list[float]]:
 
     The link that is the pose has to be given as its inverse: the right side contains inverses.
     """
-    columns = []
+    columns: list[list[float]] = []
     first = act(_inverse_values(links[3], unit), START)
     for after_5 in turn(first):
         columns += turn(act(_inverse_values(links[4], unit), after_5))
@@ -141,14 +141,11 @@ def _split_once(links: Sequence[Matrix | None], pose: int) -> tuple[tuple[float,
         if unit == 0:
             # the right side's constant column goes over to the left
             tensor[0, 0, 0] = [
-                x - (columns[0][i - 1] if i > ONE else 0.0)
-                for i, x in enumerate(tensor[0, 0, 0])
+                x - (columns[0][i - 1] if i > ONE else 0.0) for i, x in enumerate(tensor[0, 0, 0])
             ]
         values = [0.0] * (3 * EQUATIONS * 9)
         for r, row in enumerate(null):
-            equation = {
-                key: sum_of_products(row, features[1:]) for key, features in tensor.items()
-            }
+            equation = {key: sum_of_products(row, features[1:]) for key, features in tensor.items()}
             for a, by_x3 in enumerate(_half_angles(equation)):
                 for i, by_x2 in enumerate(by_x3):
                     for j, value in enumerate(by_x2):

@@ -72,6 +72,11 @@ def close_loop(constants: Sequence[Matrix]) -> Loop:
     return Loop(tuple(scaled(K, 1.0 / size) for K in links), left, right, size)
 
 
+def reach(loop: Loop) -> float:
+    """The length of all links in line [arm sizes]."""
+    return sum(sqrt(dot(_origin(K), _origin(K))) for K in loop.links)
+
+
 def _origin(K: Matrix) -> list[float]:
     return [K[i][3] for i in range(3)]
 

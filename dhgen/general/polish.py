@@ -15,15 +15,18 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
+SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
 # Singular values below this part of the largest count as zero: Newton then moves in the rest
 # only, instead of leaping along a direction that the pose does not determine.
 RANK = 1e-9
 GOOD_ENOUGH = 1e-15
 
 
-def error(links: Sequence[FloatArray], P: FloatArray, theta: FloatArray) -> FloatArray:
-    """How far the loop is from closing: translation [arm sizes] and rotation vector [rad], (6,)."""
-    return _linearised(links, P, theta)[0]
+def is_singular(links: Sequence[FloatArray], P: FloatArray, theta: FloatArray) -> bool:
+    """Whether the arm is singular, to the accuracy to which a double root is known."""
+    _, J = _linearised(links, P, theta)
+    values = np.linalg.svd(J, compute_uv=False)
+    return bool(values[-1] < SINGULAR * values[0])
 
 
 def polish(

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
+PLANE = 1e-24  # below this the rows of a shift don't span a plane
 EZ = np.array([0.0, 0.0, 1.0])
 
 
@@ -27,6 +28,14 @@ def turn(angle: float) -> FloatArray:
     T = np.eye(4)
     T[:2, :2] = [[c, -s], [s, c]]
     return T
+
+
+def rigid_inverse(T: FloatArray) -> FloatArray:
+    """The inverse of a rigid transform (4, 4)."""
+    inverse = np.eye(4)
+    inverse[:3, :3] = T[:3, :3].T
+    inverse[:3, 3] = -T[:3, :3].T @ T[:3, 3]
+    return inverse
 
 
 def null_vectors(factor: FloatArray, dimension: int) -> Iterator[FloatArray]:
@@ -42,29 +51,22 @@ def null_vectors(factor: FloatArray, dimension: int) -> Iterator[FloatArray]:
     if dimension == 1:
         return
     first, second = V[-1].reshape(2, 3), V[-2].reshape(2, 3)
-    for split in (lambda n: (n[0], n[1]), lambda n: (n[:, :2].ravel(), n[:, 1:].ravel())):
-        up = np.stack([split(first)[0], split(second)[0]], axis=1)
-        down = np.stack([split(first)[1], split(second)[1]], axis=1)
-        for weights in _eigenvectors(up, down):
+    both = np.stack([first, second], axis=-1)
+    for up, down in ((both[0], both[1]), (both[:, :2], both[:, 1:])):
+        for weights in _eigenvectors(up.reshape(-1, 2), down.reshape(-1, 2)):
             yield weights[0] * first + weights[1] * second
 
 
 def _eigenvectors(up: FloatArray, down: FloatArray) -> Iterator[FloatArray]:
     """Weights w with up w = x down w for some x, real ones only; x may be infinite."""
-    M = np.concatenate([up, down], axis=1)
-    # (cos t) up - (sin t) down is singular on the two directions that carry it
-    _, _, V = np.linalg.svd(np.concatenate([up, -down], axis=1))
-    del M, V
-    A = down.T @ up
-    G = down.T @ down
-    H = up.T @ up
-    pair = (G + 0.0, A) if np.linalg.det(G) >= np.linalg.det(H) else (H, A.T)
-    if abs(np.linalg.det(pair[0])) < 1e-24:
+    A, G, H = down.T @ up, down.T @ down, up.T @ up
+    if np.linalg.det(G) < np.linalg.det(H):  # 1/x is the better unknown
+        A, G = A.T, H
+    if np.linalg.det(G) < PLANE:
         return
-    values, vectors = np.linalg.eig(np.linalg.solve(pair[0], pair[1]))
-    for value, vector in zip(values, vectors.T, strict=True):
-        if abs(value.imag) < 1e-9:
-            yield vector.real
+    # a double eigenvalue may come out as a complex pair; its real part serves
+    _, vectors = np.linalg.eig(np.linalg.solve(G, A))
+    yield from vectors.real.T
 
 
 def partner_angles(vector: FloatArray) -> tuple[float, float]:
@@ -82,13 +84,13 @@ def remaining_angles(
 ) -> tuple[float, ...]:
     """φ1 ... φ6 from φ1, φ2, φ3 and the six links of this pose."""
     A = turn(phi[0]) @ links[0] @ turn(phi[1]) @ links[1] @ turn(phi[2]) @ links[2]
-    B = np.linalg.inv(links[5] @ A)
+    B = rigid_inverse(links[5] @ A)
     phi_5 = _middle_angle(B, links[3], links[4])
     C = links[3] @ turn(phi_5) @ links[4]
     # Rz(φ4) takes the x, y components of C's third and fourth column to those of B
     (cx, cy), (bx, by) = C[:2, 2:], B[:2, 2:]
     phi_4 = atan2(float(cx @ by - cy @ bx), float(cx @ bx + cy @ by))
-    last = np.linalg.inv(turn(phi_4) @ C) @ B
+    last = rigid_inverse(turn(phi_4) @ C) @ B
     phi_6 = atan2(last[1, 0] - last[0, 1], last[0, 0] + last[1, 1])
     return (*phi, phi_4, phi_5, phi_6)
 

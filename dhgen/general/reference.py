@@ -7,20 +7,23 @@ M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and re
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.circle import SAMPLES, Roots, roots, sample_cosines, trigonometric
+from dhgen.general.circle import roots, sample_cosines, trigonometric
 from dhgen.general.determinant import equations, fold
-from dhgen.general.polish import polish
-from dhgen.general.recover import null_vectors, partner_angles, remaining_angles
+from dhgen.general.loop import reach
+from dhgen.general.polish import is_singular, polish
+from dhgen.general.recover import null_vectors, partner_angles, remaining_angles, rigid_inverse
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.rigid import Matrix
 
     FloatArray = NDArray[np.float64]
 
@@ -64,8 +67,10 @@ def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:
     loop = kernel.loop
     P = np.array(loop.left) @ np.asarray(T, dtype=float) @ np.array(loop.right)
     P[:3, 3] /= loop.size
+    if np.linalg.norm(P[:3, 3]) > (1.0 + 1e-9) * reach(loop):
+        return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     search = _Search([np.array(K) for K in loop.links], P)
-    complete = any(_certified(formulation, search, P) for formulation in kernel.formulations)
+    complete = any(_certified(formulation, search) for formulation in kernel.formulations)
     if not complete:
         complete = _from_nearby(kernel, search)
     if not complete:
@@ -82,68 +87,89 @@ class _Search:
         self.links, self.P = links, P
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
+        self.singular: set[int | None] = set()
 
-    def offer(self, theta: FloatArray, steps: int = STEPS) -> int | None:
-        """Polish a candidate; its place among the solutions, or None when it is not one."""
+    @property
+    def paired(self) -> bool:
+        """Whether the number of regular solutions is even."""
+        return (len(self.found) - len(self.singular)) % 2 == 0
+
+    def offer(self, theta: FloatArray, steps: int = STEPS, *, doubtful: bool = False) -> int | None:
+        """Polish a candidate; its place among the solutions, or None when it is not one.
+
+        A doubtful candidate, from a double root, may be a singular solution and is then marked.
+        """
         theta, residual = polish(self.links, self.P, theta, steps)
         if residual > RESIDUAL:
             return None
-        theta = np.pi - np.remainder(np.pi - theta, 2 * np.pi)
+        place = self._place(np.pi - np.remainder(np.pi - theta, 2 * np.pi))
+        if place == MOST:
+            return None
+        if place == len(self.found):
+            self.found.append(theta)
+            self.residuals.append(np.inf)
+        if residual < self.residuals[place]:
+            self.found[place] = np.pi - np.remainder(np.pi - theta, 2 * np.pi)
+            self.residuals[place] = residual
+        if doubtful and is_singular(self.links, self.P, theta):
+            self.singular.add(place)
+        return place
+
+    def _place(self, theta: FloatArray) -> int:
+        """The place of the same solution, or the next free one."""
         for i, known in enumerate(self.found):
             gap = np.abs(np.remainder(theta - known + np.pi, 2 * np.pi) - np.pi)
             if gap.max() < SAME:
-                if residual < self.residuals[i]:
-                    self.found[i], self.residuals[i] = theta, residual
                 return i
-        if len(self.found) == MOST:
-            return None
-        self.found.append(theta)
-        self.residuals.append(residual)
-        return len(self.found) - 1
+        return len(self.found)
 
     def result(self, *, complete: bool) -> Solved:
-        order = sorted(range(len(self.found)), key=lambda i: tuple(self.found[i]))
+        order = sorted(range(len(self.found)), key=lambda i: tuple(np.round(self.found[i], 9)))
         q = np.array([self.found[i] for i in order]).reshape(-1, 6)
         return Solved(q, np.array([self.residuals[i] for i in order]), complete)
 
 
-def _certified(formulation: Formulation, search: _Search, P: FloatArray) -> bool:
-    """Offer what a formulation finds for the pose P; whether that is certainly everything."""
-    E = equations(formulation, P[None])
+def _certified(formulation: Formulation, search: _Search) -> bool:
+    """Offer what a formulation finds; whether that is certainly everything.
+
+    The certificate: every simple root leads to a solution, there is another one for each of them
+    and two more for each double root, or a singular one; and regular solutions come in pairs.
+    """
+    E = equations(formulation, search.P[None])
     cosines, sines = sample_cosines()
     f = trigonometric(fold(E, np.array(cosines), np.array(sines))[0])
     if f.noise > NOISE or f.scale == 0.0:
         return False
     found = roots(f)
-    owners: set[int] = set()
+    met: set[int | None] = set()
+    expected = len(found.simple)
     complete = found.complete
-    for angle, dimension in _grouped(found):
-        places = {
-            place
-            for theta in _candidates(formulation, E, P, angle, dimension)
-            if (place := search.offer(theta)) is not None
-        }
-        complete = complete and (dimension == 2 or bool(places))
-        owners |= places
-    return complete and len(owners) >= len(found.simple)
+    for angle in found.simple:
+        (theta,) = _candidates(formulation, E, search.P, angle, 1)
+        place = search.offer(theta)
+        complete = complete and place is not None
+        met |= {place} - {None}
+    for angle in (*_nearly_double(found.simple), *found.double):
+        candidates = _candidates(formulation, E, search.P, angle, 2)
+        places = {search.offer(theta, doubtful=True) for theta in candidates} - {None}
+        if angle in found.double:
+            expected += 1 if places & search.singular else 2
+        met |= places
+    return complete and len(met) >= expected and search.paired
 
 
-def _grouped(found: Roots) -> list[tuple[float, int]]:
-    """Every root with the dimension of its null space, roots that nearly meet twice."""
-    groups = [(angle, 1) for angle in found.simple] + [(angle, 2) for angle in found.double]
-    ordered = sorted(found.simple)
-    for low, high in zip(ordered, ordered[1:], strict=False):
-        if high - low < CLOSE:
-            groups.append(((low + high) / 2, 2))
-    return groups
+def _nearly_double(simple: tuple[float, ...]) -> list[float]:
+    """The middles of roots that are so close that their null vectors may be mixed."""
+    ordered = sorted(simple)
+    return [(a + b) / 2 for a, b in pairwise(ordered) if b - a < CLOSE]
 
 
 def _candidates(
     formulation: Formulation, E: FloatArray, P: FloatArray, angle: float, dimension: int
 ) -> list[FloatArray]:
     """Joint angles θ (6,) near solutions whose hidden angle is a root."""
-    inverse = np.linalg.inv(P)
-    links = [
+    inverse = rigid_inverse(P)
+    links: list[FloatArray] = [
         np.array(K) if K is not None else (inverse if formulation.sign > 0 else P)
         for K in formulation.links
     ]
@@ -158,22 +184,31 @@ def _candidates(
 
 
 def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
-    """Solve a pose close by, and follow its solutions back."""
-    random = np.random.default_rng(1)
-    for _ in range(2):
-        nearby = search.P @ _nudge(random)
-        other = _Search(search.links, nearby)
-        complete = any(_certified(f, other, nearby) for f in kernel.formulations)
-        places = {search.offer(theta, STEPS_FROM_AFAR) for theta in other.found}
-        if complete and None not in places and len(places) == len(other.found):
+    """Solve poses close by, and follow their solutions back."""
+    for motion in nudges():
+        nearby = _Search(search.links, search.P @ np.array(motion))
+        complete = any(_certified(f, nearby) for f in kernel.formulations)
+        places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
+        distinct = len(places) == len(nearby.found) or bool(places & search.singular)
+        if complete and None not in places and distinct and search.paired:
             return True
     return False
 
 
-def _nudge(random: np.random.Generator) -> FloatArray:
-    x, y, z = random.uniform(-NUDGE, NUDGE, 3)
-    rotation, _ = np.linalg.qr(np.array([[1.0, -z, y], [z, 1.0, -x], [-y, x, 1.0]]))
-    T = np.eye(4)
-    T[:3, :3] = rotation * np.sign(np.diag(rotation))
-    T[:3, 3] = random.uniform(-NUDGE, NUDGE, 3)
-    return T
+def nudges() -> tuple[Matrix, ...]:
+    """Small motions of growing size: the quaternion (1, v) to length one, and a translation."""
+    return tuple(
+        _motion((size * a, size * b, size * c), (size * x, size * y, size * z))
+        for size, (a, b, c, x, y, z) in zip(NUDGES, NUDGE_DIRECTIONS, strict=True)
+    )
+
+
+def _motion(v: tuple[float, float, float], t: tuple[float, float, float]) -> Matrix:
+    x, y, z = v
+    n = 1.0 + x * x + y * y + z * z
+    return (
+        (1 - 2 * (y * y + z * z) / n, 2 * (x * y - z) / n, 2 * (x * z + y) / n, t[0]),
+        (2 * (x * y + z) / n, 1 - 2 * (x * x + z * z) / n, 2 * (y * z - x) / n, t[1]),
+        (2 * (x * z - y) / n, 2 * (y * z + x) / n, 1 - 2 * (x * x + y * y) / n, t[2]),
+        (0.0, 0.0, 0.0, 1.0),
+    )

@@ -122,6 +122,4 @@ def _score(
         displacement.append(2.0 * abs(value) / (abs(first) + root + 1e-300))
     noise.sort()
     displacement.sort()
-    return Score(
-        noise[count // 2], displacement[count // 2], displacement[(99 * count) // 100]
-    )
+    return Score(noise[count // 2], displacement[count // 2], displacement[(99 * count) // 100])

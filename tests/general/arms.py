@@ -1,0 +1,144 @@
+"""Arms that Paul's closed forms do not solve, and ways to call what is generated for them."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import subprocess
+import tempfile
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.general.emit import c_source, python_source
+from dhgen.general.setup import setup
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.rigid import Matrix
+
+Row = tuple[float, float, float, float]  # theta [quarter turns, or rad], d, a, alpha of standard DH
+Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
+
+QUARTER = {-1: (0.0, -1.0), 0: (1.0, 0.0), 1: (0.0, 1.0), 2: (-1.0, 0.0)}
+FLAGS = ("-std=c99", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+
+# Angles that are integers count quarter turns.
+TABLES: dict[str, tuple[Row, ...]] = {
+    "manseur_doty": (
+        (0, 0.0, 0.3, 1),
+        (0, 0.0, 1.0, math.radians(1.0)),
+        (0, 0.2, 0.0, 1),
+        (0, 0.0, 1.5, math.radians(1.0)),
+        (0, 0.0, 0.0, 1),
+        (0, 0.0, 0.0, math.radians(1.0)),
+    ),
+    "general": (
+        (2.137, -0.035, 0.416, 1.353),
+        (-2.341, -0.257, -0.339, 2.932),
+        (-1.611, -0.272, 0.075, -2.507),
+        (0.482, 0.262, -0.28, -2.04),
+        (0.126, -0.167, -0.136, 0.145),
+        (1.904, -0.477, 0.175, 1.432),
+    ),
+    "xarm6": (
+        (2, 0.267, 0.0, 1),
+        (1.756674780719604, 0.0, 0.2894866145437471, 0),
+        (1.3849178728701894, 0.0, 0.0775, -1),
+        (0, 0.3425, 0.0, 1),
+        (0, 0.0, 0.076, -1),
+        (0, 0.097, 0.0, 0),
+    ),
+    "jaco2": (
+        (0, 0.2755, 0.0, 1),
+        (-1, 0.0, 0.41, 2),
+        (1, -0.0098, 0.0, 1),
+        (0, -0.24918, 0.0, math.pi / 3),
+        (0, -0.083811, 0.0, math.pi / 3),
+        (0, -0.21058, 0.0, 2),
+    ),
+}
+
+
+def constants(table: Sequence[Row]) -> tuple[Matrix, ...]:
+    """C0 ... C6 of a standard table."""
+    links = [np.eye(4)]
+    for theta, d, a, alpha in table:
+        (ct, st), (ca, sa) = _circle(theta), _circle(alpha)
+        turn = np.array([[ct, -st, 0, 0], [st, ct, 0, 0], [0, 0, 1, d], [0, 0, 0, 1.0]])
+        twist = np.array([[1.0, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
+        links.append(turn @ twist)
+    return tuple(tuple(map(tuple, link.tolist())) for link in links)
+
+
+def _circle(angle: float) -> tuple[float, float]:
+    if isinstance(angle, int):
+        return QUARTER[angle]
+    return math.cos(angle), math.sin(angle)
+
+
+def forward(table: Sequence[Row], q: Sequence[float]) -> np.ndarray:
+    """The pose of the tool."""
+    first, *links = constants(table)
+    T = np.array(first)
+    for angle, link in zip(q, links, strict=True):
+        turn = np.eye(4)
+        turn[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+        T = T @ turn @ np.array(link)
+    return T
+
+
+@cache
+def kernel(name: str) -> GeneralKernel:
+    found = setup(constants(TABLES[name]))
+    assert found is not None
+    return found
+
+
+def poses(name: str, count: int, seed: int = 0) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Random joint vectors and their poses."""
+    q = np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))
+    return [(row, forward(TABLES[name], row)) for row in q]
+
+
+def gap(q: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """The largest difference of two joint vectors, modulo turns."""
+    wrapped: np.ndarray = np.abs(np.remainder(q - other + np.pi, 2 * np.pi) - np.pi)
+    return wrapped.max(axis=-1)
+
+
+@cache
+def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
+    """The C kernel of an arm."""
+    text = (
+        f"#include <math.h>\n{c_source(kernel(name), name)}\n"
+        f"int run(const double *T, double *q, double *residual);\n"
+        f"int run(const double *T, double *q, double *residual)\n"
+        f"{{\n    return {name}_general(T, (double (*)[6])q, residual);\n}}\n"
+    )
+    folder = Path(tempfile.mkdtemp())
+    (folder / "arm.c").write_text(text, encoding="utf-8")
+    library = folder / "arm.so"
+    command = ["gcc", *FLAGS, *flags, "-shared", "-fPIC", "arm.c", "-o", str(library), "-lm"]
+    subprocess.run(command, check=True, cwd=folder)
+    run = ctypes.CDLL(str(library)).run
+    return lambda T: _answer(lambda *a: run(*(x.ctypes.data_as(ctypes.c_void_p) for x in a)), T)
+
+
+@cache
+def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
+    """The Python rendition of an arm, not compiled."""
+    scope: dict[str, Any] = {"math": math, "np": np, "njit": lambda **_: lambda function: function}
+    exec(python_source(kernel(name), name), scope)  # noqa: S102  it is what the tests are about
+    return lambda T: _answer(scope[f"{name}_general"], T)
+
+
+def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:
+    q, residual = np.empty((16, 6)), np.empty(16)
+    count = function(np.ascontiguousarray(T, dtype=float), q, residual)
+    found = count if count >= 0 else -1 - count
+    return q[:found], residual[:found], count >= 0

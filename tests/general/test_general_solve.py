@@ -1,0 +1,98 @@
+"""All solutions, in NumPy, C and Python: random poses, special ones, and the same from each."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from dhgen.general.reference import solve
+from tests.general.arms import TABLES, compiled, forward, gap, kernel, plain_python, poses
+
+# The pose of Manseur and Doty at which all sixteen solutions are real.
+SIXTEEN = [
+    [-0.760117, -0.641689, 0.102262, -1.140175],
+    [0.133333, 0.0, 0.991071, 0.0],
+    [-0.635959, 0.766965, 0.085558, 0.0],
+    [0.0, 0.0, 0.0, 1.0],
+]
+
+
+def check(name: str, T: np.ndarray, q: np.ndarray, residual: np.ndarray) -> None:
+    """Every row is a solution, no two are the same, and they are in order."""
+    assert (residual < 1e-9).all()
+    for i, row in enumerate(q):
+        np.testing.assert_allclose(forward(TABLES[name], row), T, atol=1e-9)
+        assert (gap(q[:i], row) > 1e-6).all()
+    assert (np.diff(q[:, 0]) > -1e-9).all()
+    assert ((q > -np.pi) & (q <= np.pi)).all()
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_reference(name: str) -> None:
+    for q, T in poses(name, 5):
+        found = solve(T, kernel(name))
+        check(name, T, found.q, found.residual)
+        assert found.complete
+        assert gap(found.q, q).min() < 1e-6
+        assert len(found.q) % 2 == 0
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_c(name: str) -> None:
+    for q, T in poses(name, 300, seed=1):
+        found, residual, certain = compiled(name)(T)
+        check(name, T, found, residual)
+        assert certain
+        assert gap(found, q).min() < 1e-6
+        assert len(found) % 2 == 0
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4])
+def test_c_with_other_lanes(lanes: int) -> None:
+    name = "manseur_doty"
+    other = compiled(name, f"-D{name.upper()}_LANES={lanes}")
+    for _, T in poses(name, 20, seed=2):
+        np.testing.assert_allclose(other(T)[0], compiled(name)(T)[0], atol=1e-8)
+
+
+@pytest.mark.parametrize("name", ["general", "jaco2"])
+def test_all_agree(name: str) -> None:
+    for _, T in poses(name, 3, seed=3):
+        expected = compiled(name)(T)[0]
+        np.testing.assert_allclose(plain_python(name)(T)[0], expected, atol=1e-8)
+        np.testing.assert_allclose(solve(T, kernel(name)).q, expected, atol=1e-8)
+
+
+def test_sixteen_solutions() -> None:
+    T = np.array(SIXTEEN)
+    U, _, V = np.linalg.svd(T[:3, :3])  # printed to six digits only
+    T[:3, :3] = U @ V
+    q, residual, certain = compiled("manseur_doty")(T)
+    assert certain
+    assert len(q) == 16
+    check("manseur_doty", T, q, residual)
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_right_angles(name: str) -> None:
+    random = np.random.default_rng(4)
+    for q in [np.zeros(6), *random.choice([0.0, np.pi / 2, np.pi, -np.pi / 2], (40, 6))]:
+        T = forward(TABLES[name], q)
+        found, residual, _ = compiled(name)(T)
+        check(name, T, found, residual)
+        assert len(found) > 0
+
+
+def test_out_of_reach() -> None:
+    T = np.eye(4)
+    T[:3, 3] = 20.0
+    for name in TABLES:
+        q, _, certain = compiled(name)(T)
+        assert len(q) == 0
+        assert certain
+
+
+def test_silent_c() -> None:
+    strict = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+    compiled("general", *strict)
+    compiled("general", *strict, "-DGENERAL_LANES=1")
