@@ -33,7 +33,7 @@ class AngleSum:
 
     @property
     def suffix(self) -> str:
-        """What follows c and s in the names: 23, or 2m3 for a difference."""
+        """What follows c and s in the names: 23, 2m3 for a difference, 9_10 beyond nine joints."""
         return _suffix(self.terms)
 
     @property
@@ -49,12 +49,11 @@ class AngleSum:
 
 @cache
 def _suffix(terms: tuple[tuple[int, int], ...]) -> str:
-    (first, _), *others = terms
-    wide = any(joint > 9 for joint, _ in terms)
-    text = str(first)
-    for joint, sign in others:
-        text += ("m" if sign < 0 else "_" if wide else "") + str(joint)
-    return text
+    # joint 12 is _12, or else it would be called like the sum of joints 1 and 2
+    return "".join(
+        ("m" if sign < 0 else "") + (str(joint) if joint <= 9 else f"_{joint}")
+        for joint, sign in terms
+    )
 
 
 @dataclass(frozen=True, slots=True)

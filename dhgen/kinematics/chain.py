@@ -10,7 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.transform import Transform, turn_between
+from dhgen.kinematics.normal import normal_form
+from dhgen.kinematics.transform import Transform, compose, identity, turn_between
 
 if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
@@ -104,15 +105,18 @@ def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
     The direction is +1 or -1, relative to the first axis of the run. Prismatic joints between them
     do not break a run.
     """
+    normal = normal_form(chain.ring, chain.constants, {})
     runs: list[list[tuple[int, int]]] = []
-    facing = 0
+    since_first = still = identity(chain.ring)
     for element in (element for link in chain.links for element in link):
-        if isinstance(element, Fixed) and runs:
-            facing *= turn_between(element.transform.rotation)
+        if isinstance(element, Fixed):
+            turned = Transform(element.transform.rotation, still.translation)
+            since_first = compose(since_first, turned, normal)
         elif isinstance(element, Turn):
+            facing = turn_between(since_first.rotation)
             if facing and runs:
                 runs[-1].append((element.joint, facing))
             else:
                 runs.append([(element.joint, 1)])
-                facing = 1
+                since_first = still
     return tuple(tuple(run) for run in runs)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import operator as arithmetic
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 Polynomial: TypeAlias = PolyElement  # over the rationals, in a ring of named generators
 
+# what other generators of an arm's ring are called: a parameter of that name gets an underscore
+_GENERATORS = re.compile(r"[cs](m?_?\d+)+|r\d+|t\d\d|w[2-6]?[xyz]|sqrt[23]|unit")
 _ARITHMETIC = {"+": arithmetic.add, "-": arithmetic.sub, "*": arithmetic.mul}
 TURN_TOLERANCE = 1e-12  # [rad] two twists nearer than this share one cosine and sine
 
@@ -166,6 +169,12 @@ class ConstantTable:
         self.constants.setdefault(constant.name, constant)
         return self._generator(constant.name)
 
+    def _parameter(self, name: str, meaning: str, *, is_length: bool) -> Polynomial:
+        free = name
+        while _GENERATORS.fullmatch(free) or (free != name and free in self.parameters):
+            free += "_"
+        return self._add(Constant(free, self.parameters[name], meaning, is_length=is_length))
+
     def _generator(self, name: str) -> Polynomial:
         return generator(self._ring, name) if self._ring is not None else _ANY
 
@@ -197,6 +206,9 @@ class ConstantTable:
                 name = suffix
                 break
         else:
+            # one cell can hold two angles, as the entries of a roll-pitch-yaw matrix do
+            while {f"ca{name}", f"sa{name}"} & (self.constants.keys() | self.parameters.keys()):
+                name += "_"
             self._twists.append((folded, name))
         cosine = Constant(f"ca{name}", math.cos(folded), f"cosine of {meaning}", is_length=False)
         sine = Constant(
@@ -229,8 +241,7 @@ class ConstantTable:
             case Number(value):
                 result = self._number(value)
             case Name(parameter):
-                known = self.parameters[parameter]
-                result = self._add(Constant(parameter, known, meaning, is_length=is_length))
+                result = self._parameter(parameter, meaning, is_length=is_length)
             case Negate(operand):
                 result = -self._polynomial(operand, name, meaning, is_length=is_length)
             case Binary("+" | "-" | "*" as operator, left, right):
