@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi, sqrt
 from typing import TYPE_CHECKING
 
-from dhgen.general import circle, reference
+from dhgen.general import circle, polish, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, arctangent, grid, harmonics
 from dhgen.general.loop import reach
@@ -93,6 +93,8 @@ def _tolerances() -> dict[str, object]:
         "singular": repr(1e-6),
         "good_enough": repr(1e-29),
         "smallest": repr(1e-15),
+        "smallest_square": repr(1e-30),
+        "damping": repr(polish.DAMPING),
         "plane": repr(1e-24),
         # anything that no null vector is orthogonal to
         "start": _numbers((0.61, -0.37, 0.53, 0.29, 0.71, -0.43)),

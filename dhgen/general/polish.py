@@ -19,6 +19,7 @@ SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
 # Singular values below this part of the largest count as zero: Newton then moves in the rest
 # only, instead of leaping along a direction that the pose does not determine.
 RANK = 1e-9
+DAMPING = 1e-2
 GOOD_ENOUGH = 1e-15
 
 
@@ -30,7 +31,7 @@ def is_singular(links: Sequence[FloatArray], P: FloatArray, theta: FloatArray) -
 
 
 def polish(
-    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray, steps: int
+    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray, steps: int, *, afar: bool = False
 ) -> tuple[FloatArray, float]:
     """The best iterate and its residual.
 
@@ -39,6 +40,8 @@ def polish(
         P: The pose of the loop, (4, 4).
         theta: Joint angles, (6,) [rad].
         steps: How many steps at most.
+        afar: Damp the steps (Levenberg and Marquardt, the damping falling with the square of the
+            error): for starts far away, and for singular solutions.
     """
     best, least = theta, np.inf
     for _ in range(steps + 1):
@@ -48,7 +51,11 @@ def polish(
             best, least = theta, residual
         if residual < GOOD_ENOUGH:
             break
-        step, *_ = np.linalg.lstsq(J, miss, rcond=RANK)
+        if afar:
+            damping = DAMPING * min(residual**2, 1.0)
+            step = np.linalg.solve(J.T @ J + (damping + 1e-30) * np.eye(6), J.T @ miss)
+        else:
+            step, *_ = np.linalg.lstsq(J, miss, rcond=RANK)
         theta = theta + np.clip(step, -1.0, 1.0)
     return best, least
 

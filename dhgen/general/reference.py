@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 MOST = 16
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
-STEPS_FROM_AFAR = 30
+STEPS_FROM_AFAR = 40
 RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
 SAME = 1e-6  # solutions closer than this are one [rad]
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
@@ -99,7 +99,7 @@ class _Search:
 
         A doubtful candidate, from a double root, may be a singular solution and is then marked.
         """
-        theta, residual = polish(self.links, self.P, theta, steps)
+        theta, residual = polish(self.links, self.P, theta, steps, afar=steps > STEPS)
         if residual > RESIDUAL:
             return None
         place = self._place(np.pi - np.remainder(np.pi - theta, 2 * np.pi))
@@ -184,15 +184,20 @@ def _candidates(
 
 
 def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
-    """Solve poses close by, and follow their solutions back."""
+    """Solve poses close by, and follow their solutions back.
+
+    Around a singular pose none of them has to have all solutions: then all are looked at.
+    """
+    followed = False
     for motion in nudges():
         nearby = _Search(search.links, search.P @ np.array(motion))
         complete = any(_certified(f, nearby) for f in kernel.formulations)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
-        distinct = len(places) == len(nearby.found) or bool(places & search.singular)
-        if complete and None not in places and distinct and search.paired:
-            return True
-    return False
+        if complete and places and None not in places:
+            if len(places) == len(nearby.found) and not search.singular and search.paired:
+                return True
+            followed = followed or bool(places & search.singular)
+    return followed and search.paired
 
 
 def nudges() -> tuple[Matrix, ...]:
