@@ -167,6 +167,7 @@ def _by_difference(
     penalty = BY_DIFFERENCE + placing(vectors.forms[0])
     if not (view.is_constant(re) and view.is_constant(im)):
         penalty += VARIABLE_FACTORS
+        letters = (*letters, ("Z", view.squared_size(*vectors.known) - rest))
     if kind is not Kind.ANGLE_AND_SUM:
         penalty += NOT_A_SUM
     return Step(kind, (angle,), vectors.forms, letters, 2, penalty)
@@ -178,5 +179,10 @@ def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
     rest = view.squared_size(v.re, v.im) - view.squared_size(w.re, w.im)
     length = sum(len(part) for part in vectors.known)
     penalty = BY_ELIMINATION + placing(vectors.forms[0]) + length
-    letters = (*vectors.letters, ("N", rest))
+    normal = view.knowledge.runs.algebra.normal
+    z1, z2 = vectors.known
+    along = normal(2 * (v.re * z1 + v.im * z2))
+    across = normal(2 * v.sense * (v.re * z2 - v.im * z1))
+    total = view.squared_size(z1, z2) + rest
+    letters = (*vectors.letters, ("N", rest), ("X", across), ("Y", along), ("Z", total))
     return Step(kind, (v.angle,), vectors.forms, letters, 2, penalty)
