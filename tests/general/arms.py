@@ -107,8 +107,8 @@ def poses(name: str, count: int, seed: int = 0) -> list[tuple[np.ndarray, np.nda
 
 def gap(q: np.ndarray, other: np.ndarray) -> np.ndarray:
     """The largest difference of two joint vectors, modulo turns."""
-    wrapped: np.ndarray = np.abs(np.remainder(q - other + np.pi, 2 * np.pi) - np.pi)
-    return wrapped.max(axis=-1)
+    wrapped = np.remainder(np.asarray(q) - other + np.pi, 2 * np.pi) - np.pi
+    return np.asarray(np.abs(wrapped).max(axis=-1))
 
 
 @cache
