@@ -38,8 +38,12 @@ class NumericArm:
         q = np.asarray(q, np.float64)
         T = np.broadcast_to(self.base, (*q.shape[:-1], 4, 4))
         for element in self.elements:
-            T = T @ (self._joint(q, *element) if isinstance(element, tuple) else element)
+            T = T @ self.step(q, element)
         return np.asarray(T @ self.tool)
+
+    def step(self, q: Array, element: Array | tuple[int, bool]) -> Array:
+        """The transform of one of `elements` for joint values (..., n)."""
+        return self._joint(q, *element) if isinstance(element, tuple) else element
 
     def _joint(self, q: Array, number: int, turns: bool) -> Array:  # noqa: FBT001
         known = self.chain.joints[number - 1]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.algebra import build_algebra
+from dhgen.paul.mobility import immobility
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import refusal
@@ -52,8 +53,12 @@ def derive(chain: Chain) -> Derivation:
     """Solves an arm by Paul's method.
 
     Raises:
-        UnsolvedError: No order of steps makes every joint known.
+        UnsolvedError: The arm has infinitely many solutions everywhere, or no order of steps makes
+            every joint known.
     """
+    stuck = immobility(chain)
+    if stuck is not None:
+        raise UnsolvedError(stuck)
     pool = build_pool(build_problem(build_algebra(chain)))
     closed = Search(pool, CLOSED)
     for search in (closed, Search(pool, QUARTIC)):
