@@ -1,12 +1,14 @@
 """Whether an arm can be solved at all: does every joint matter, everywhere, for the task?
 
-At a general position the Jacobian of the task has one column for each joint that is solved for. When
-their rank is less than their number, joints can be moved against each other without moving the tool:
-the arm is redundant for its task, or degenerate (collinear axes, all axes parallel or concurrent).
+At a general position the Jacobian of the task has one column for each joint that is solved for.
+When their rank is less than their number, joints can be moved against each other without moving
+the tool: the arm is redundant for its task, or degenerate (collinear axes, all axes parallel or
+concurrent).
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -88,8 +90,10 @@ def _joint_frames(chain: Chain, q: Array) -> list[Array]:
 def _explanation(chain: Chain, surplus: int, candidates: list[int]) -> str:
     names = ", ".join(map(str, candidates))
     lines = [
-        f"the arm has infinitely many solutions for every pose: joints {names} can be moved "
-        "against each other without moving what the task names"
+        (
+            f"the arm has infinitely many solutions for every pose: joints {names} can be moved "
+            "against each other without moving what the task names"
+        )
     ]
     lines += _coincident(chain)
     given = "one of them" if surplus == 1 else f"{surplus} of them"
@@ -106,7 +110,7 @@ def _coincident(chain: Chain) -> list[str]:
         if joint.kind is JointKind.REVOLUTE
     ]
     lines = []
-    for (first, one), (second, other) in zip(revolute, revolute[1:], strict=False):
+    for (first, one), (second, other) in pairwise(revolute):
         z, between = one[:3, 2], other[:3, 3] - one[:3, 3]
         turned = np.linalg.norm(np.cross(z, other[:3, 2]))
         aside = np.linalg.norm(np.cross(z, between))

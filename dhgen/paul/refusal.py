@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.neighbours import EXACT, axis_triples
-from dhgen.paul.problem import task_dimension
 from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
@@ -35,7 +34,6 @@ def refusal(search: Search, chain: Chain) -> str:
     open_joints = ", ".join(map(str, state.open_joints))
     lines = [
         f"no order of equations makes every joint known: {open_joints} stay unknown",
-        *_surplus(chain),
         *_nearest(search, state),
         *_geometry(chain),
     ]
@@ -45,14 +43,6 @@ def refusal(search: Search, chain: Chain) -> str:
 def unknown_name(unknown: Unknown) -> str:
     """How a message calls an angle sum or a length."""
     return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
-
-
-def _surplus(chain: Chain) -> list[str]:
-    joints, numbers = chain.dof - len(chain.free), task_dimension(chain.task)
-    if joints <= numbers:
-        return []
-    given = f"{joints - numbers} of them under `free`"
-    return [f"the task gives {numbers} numbers for {joints} joints: name {given}"]
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:

@@ -125,9 +125,7 @@ class Search:
                     groups += [(first, second), (second, first)]
             if self._anywhere:
                 short = sorted(alike, key=lambda form: len(form.equation.difference))[:SHORTEST]
-                groups += [
-                    pair for pair in combinations(short, 2) if not self._beside(*pair)
-                ]
+                groups += [pair for pair in combinations(short, 2) if not self._beside(*pair)]
         return groups
 
     def _beside(self, first: Form, second: Form) -> bool:

@@ -1,7 +1,7 @@
 """The equation types, one module each, in the order in which they are tried.
 
-`CLOSED` are the types of the books, with roots of squares only; `QUARTIC` adds type 9, for arms that
-`CLOSED` does not solve.
+`CLOSED` are the types of the books, with roots of squares only; `QUARTIC` adds type 9, for arms
+that `CLOSED` does not solve.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
 """Type 9: two equations linear in the cosines and sines of two angles.
 
-P1 c_i + Q1 s_i + R1 = 0 and P2 c_i + Q2 s_i + R2 = 0, where P, Q and R are at most linear in c_j and
-s_j. Solved for c_i and s_i, the sum of their squares is 1: a trigonometric polynomial in theta_j. It is
-of degree 2, with at most four roots, when P and Q are known, and when (P2, Q2) is (P1, Q1) turned by
-a right angle (D. L. Pieper, The kinematics of manipulators under computer control, 1968: the arm
-before a spherical wrist). Three concurrent or parallel axes anywhere in the arm end here.
+P1 c_i + Q1 s_i + R1 = 0 and P2 c_i + Q2 s_i + R2 = 0, where P, Q and R are at most linear in c_j
+and s_j. Solved for c_i and s_i, the sum of their squares is 1: a trigonometric polynomial in
+theta_j. It is of degree 2, with at most four roots, when P and Q are known, and when (P2, Q2) is
+(P1, Q1) turned by a right angle (D. L. Pieper, The kinematics of manipulators under computer
+control, 1968: the arm before a spherical wrist). Three concurrent or parallel axes anywhere in
+the arm end here.
 """
 
 from __future__ import annotations
@@ -181,8 +182,8 @@ def _slope(
         p1, p2, q1, q2, r1, r2 = (one + u * c + v * s for one, u, v in parts)
         if known:
             determinant = p1 * q2 - q1 * p2
-            return (q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2
-        return r1**2 + r2**2 - p1**2 - q1**2
+            return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)
+        return np.asarray(r1**2 + r2**2 - p1**2 - q1**2)
 
     step = 1e-4
     sizes = np.max([np.abs(at(turn)) for turn in np.linspace(0.0, 6.0, 13)], axis=0)

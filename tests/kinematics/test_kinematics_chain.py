@@ -1,0 +1,161 @@
+"""The exact chain against the oracle, for arms that nobody drew."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dhgen.kinematics.axes import exact_axes
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.chain import parallel_groups
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.robot import ReferenceAxes
+from tests.kinematics.values import algebra_of, axes, pose, table
+from tests.oracle.arm import arm_size
+from tests.oracle.forward import forward
+from tests.oracle.poses import random_joints
+from tests.robots.cases import NAMES, robot
+
+angles = st.one_of(
+    st.sampled_from(
+        ["0", "pi/2", "-pi/2", "pi", "pi/12", "-5*pi/6", "3*pi/4", "20 deg", "-160 deg"]
+    ),
+    st.integers(-300, 300).map(lambda hundredths: f"{hundredths / 100}"),
+)
+lengths = st.one_of(
+    st.sampled_from(["0", "L", "-L/2", "L - 0.1", "2*L"]),
+    st.integers(-90, 90).map(lambda hundredths: f"{hundredths / 100}"),
+)
+
+
+def joint(constant: str, sign: str) -> str:
+    return f"{sign}q" if constant == "0" else f"{sign}q + {constant}"
+
+
+signs = st.sampled_from(["", "-"])
+revolute = st.builds(
+    lambda theta, sign, d, a, alpha: f"theta: {joint(theta, sign)}, d: {d}, a: {a}, alpha: {alpha}",
+    *(angles, signs, lengths, lengths, angles),
+)
+prismatic = st.builds(
+    lambda theta, d, sign, a, alpha: f"theta: {theta}, d: {joint(d, sign)}, a: {a}, alpha: {alpha}",
+    *(angles, lengths, signs, lengths, angles),
+)
+frames = st.builds(
+    lambda x, y, z, roll, pitch, yaw: f"{{xyz: [{x}, {y}, {z}], rpy: [{roll}, {pitch}, {yaw}]}}",
+    *(lengths, lengths, lengths, angles, angles, angles),
+)
+vectors = st.builds(lambda x, y, z: np.array([x, y, z]), *[st.integers(-3, 3)] * 3)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    rows=st.lists(st.one_of(revolute, revolute, prismatic), min_size=1, max_size=4),
+    convention=st.sampled_from(["standard", "modified"]),
+    base=frames,
+    tool=frames,
+    seed=st.integers(0, 999),
+)
+def test_tables_of_either_convention(
+    rows: list[str], convention: str, base: str, tool: str, seed: int
+) -> None:
+    arm = table(*rows, parameters="{L: 0.4}", convention=convention, base=base, tool=tool)
+    algebra = algebra_of(arm)
+    for q in random_joints(arm, 2, seed=seed):
+        expected = forward(arm, q)
+        np.testing.assert_allclose(pose(algebra, q), expected, atol=1e-12)
+        np.testing.assert_allclose(numeric_arm(algebra.chain).pose(q), expected, atol=1e-12)
+
+
+# with a zero component and of length one: kept as they are
+EXACT = ["1, 0, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1", "cos(pi/6), sin(pi/6), 0", "0, 3/5, 4/5"]
+
+
+def entry(kind: str, direction: str, point: str) -> str:
+    at = "" if kind == "prismatic" else f", point: [{point}]"
+    return f"type: {kind}, direction: [{direction}]{at}"
+
+
+kinds = st.sampled_from(["revolute", "revolute", "prismatic"])
+points = st.builds(lambda *cells: ", ".join(cells), lengths, lengths, lengths)
+exact_entries = st.builds(entry, kinds, st.sampled_from(EXACT), points)
+directions = st.tuples(*[st.integers(-5, 5)] * 3).filter(any).map(lambda v: ", ".join(map(str, v)))
+entries = st.builds(entry, kinds, st.one_of(directions, st.sampled_from(EXACT)), points)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(exact_entries, min_size=1, max_size=4), frames, st.integers(0, 999))
+def test_axes_with_exact_directions_stay_as_they_are(
+    given_axes: list[str], home: str, seed: int
+) -> None:
+    arm = axes(*given_axes, parameters="{L: 0.4}", home=home)
+    assert isinstance(arm.geometry, ReferenceAxes)
+    assert exact_axes(arm, arm.geometry) is not None
+    algebra = algebra_of(arm)
+    for q in random_joints(arm, 2, seed=seed):
+        np.testing.assert_allclose(pose(algebra, q), forward(arm, q), atol=1e-12)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(entries, min_size=1, max_size=6), frames, frames, st.integers(0, 999))
+def test_axes_in_any_direction(given_axes: list[str], home: str, tool: str, seed: int) -> None:
+    skew = "type: revolute, direction: [1, 2, 3], point: [L, 0, 0.1]"
+    arm = axes(*given_axes, skew, parameters="{L: 0.4}", home=home, tool=tool)
+    assert isinstance(arm.geometry, ReferenceAxes)
+    assert exact_axes(arm, arm.geometry) is None
+    chain = build_chain(arm)
+    for q in random_joints(arm, 2, seed=seed):
+        tolerance = 1e-9 * max(1.0, chain.size)
+        np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(arm, q), atol=tolerance)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_robots(name: str) -> None:
+    algebra = algebra_of(robot(name))
+    tolerance = 1e-13 * max(1.0, arm_size(robot(name)))
+    for q in random_joints(robot(name), 5):
+        np.testing.assert_allclose(pose(algebra, q), forward(robot(name), q), atol=tolerance)
+
+
+def test_skew_axes_that_are_parallel_make_one_run() -> None:
+    # two neighbours along (1, 2, 3): floating point must not hide that they are parallel
+    arm = axes(
+        "type: revolute, direction: [1, 2, 3], point: [0, 0, 0]",
+        "type: revolute, direction: [1, 2, 3], point: [1, 0, 0]",
+        "type: revolute, direction: [-2, -4, -6], point: [0, 1, 0]",
+    )
+    assert parallel_groups(build_chain(arm)) == (((1, 1), (2, 1), (3, -1)),)
+
+
+def test_runs_of_parallel_axes() -> None:
+    expected = {
+        "ur5": (((1, 1),), ((2, 1), (3, 1), (4, 1)), ((5, 1),), ((6, 1),)),
+        "scara": (((1, 1), (2, 1), (4, 1)),),  # the slide between does not break the run
+        "wrist_zyz": (((4 - 3, 1),), ((2, 1),), ((3, 1),)),
+        "puma": (((1, 1),), ((2, 1), (3, 1)), ((4, 1),), ((5, 1),), ((6, 1),)),
+    }
+    assert {name: parallel_groups(build_chain(robot(name))) for name in expected} == expected
+
+
+def test_a_slide_across_does_not_break_a_run_of_parallel_axes() -> None:
+    arm = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
+        "type: prismatic, direction: [1, 0, 0]",
+        "type: revolute, direction: [0, 0, -1], point: [1, 0, 0]",
+    )
+    algebra = algebra_of(arm)
+    assert [run[0][0] for run in parallel_groups(algebra.chain)] == [1]
+    for q in random_joints(arm, 3):
+        np.testing.assert_allclose(pose(algebra, q), forward(arm, q), atol=1e-14)
+
+
+def test_signs_and_offsets_are_the_joints_business() -> None:
+    arm = table("theta: -q + pi/3, a: 1", "theta: pi/2, d: -q + 0.25")
+    first, second = build_chain(arm).joints
+    assert (first.sign, second.sign) == (-1, -1)
+    assert first.offset == pytest.approx(math.pi / 3)
+    assert second.offset == 0.25

@@ -1,0 +1,151 @@
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhgen.kinematics.constants import ConstantTable, multiple_of_pi
+from dhgen.kinematics.normal import normal_form
+from dhgen.robot.expression import Binary, Call, Expression, Name, Negate, Number, Pi
+from tests.kinematics.values import number
+
+
+def whole(value: int) -> Expression:
+    return Number(Fraction(abs(value))) if value >= 0 else Negate(Number(Fraction(-value)))
+
+
+def times_pi(numerator: int, denominator: int) -> Expression:
+    return Binary("/", Binary("*", whole(numerator), Pi()), whole(denominator))
+
+
+def closed(*angles: Expression, **parameters: float) -> ConstantTable:
+    table = ConstantTable(parameters)
+    for angle in angles:
+        table.cosine_sine(angle, "1", "twist 1")
+    table.close()
+    return table
+
+
+@pytest.mark.parametrize("steps", range(-30, 31))
+def test_multiples_of_fifteen_degrees_are_exact(steps: int) -> None:
+    angle = times_pi(steps, 12)
+    table = closed(angle)
+    cosine, sine = table.cosine_sine(angle, "1", "twist 1")
+    assert {constant.name for constant in table.constants.values()} <= {"sqrt2", "sqrt3"}
+    values = {constant.name: constant.value for constant in table.constants.values()}
+    assert number(cosine, values) == pytest.approx(math.cos(steps * math.pi / 12), abs=1e-14)
+    assert number(sine, values) == pytest.approx(math.sin(steps * math.pi / 12), abs=1e-14)
+    normal = normal_form(cosine.ring, table.constants.values(), {})
+    assert normal(cosine**2 + sine**2) == cosine.ring.one
+
+
+@pytest.mark.parametrize(
+    ("steps", "cosine", "sine"), [(0, 1, 0), (6, 0, 1), (12, -1, 0), (18, 0, -1), (-6, 0, -1)]
+)
+def test_right_angles_need_no_constant(steps: int, cosine: int, sine: int) -> None:
+    angle = times_pi(steps, 12)
+    table = closed(angle)
+    assert table.constants == {}
+    assert table.cosine_sine(angle, "1", "twist 1") == (cosine, sine)
+
+
+def test_cosine_of_75_degrees_is_that_of_the_school_book() -> None:
+    table = closed(times_pi(5, 12))
+    cosine, _ = table.cosine_sine(times_pi(5, 12), "1", "twist 1")
+    root2, root3 = cosine.ring.gens
+    assert [str(symbol) for symbol in cosine.ring.symbols] == ["sqrt2", "sqrt3"]
+    assert 4 * cosine == root2 * root3 - root2  # (sqrt 6 - sqrt 2) / 4
+
+
+@given(st.integers(-720, 720).filter(lambda degrees: degrees % 15))
+def test_other_angles_get_a_named_pair_that_says_its_value(degrees: int) -> None:
+    angle = times_pi(degrees, 180)
+    table = closed(angle)
+    assert set(table.constants) == {"ca1", "sa1"}
+    cosine, sine = table.cosine_sine(angle, "1", "twist 1")
+    values = {constant.name: constant.value for constant in table.constants.values()}
+    assert number(cosine, values) == pytest.approx(math.cos(math.radians(degrees)), abs=1e-14)
+    assert number(sine, values) == pytest.approx(math.sin(math.radians(degrees)), abs=1e-14)
+    assert values["ca1"] >= 0
+    assert values["sa1"] >= 0
+    assert table.constants["sa1"].cosine == "ca1"
+
+
+def test_twists_of_one_size_share_their_pair() -> None:
+    twenty, minus_twenty, many = (times_pi(degrees, 180) for degrees in (20, -20, 160))
+    table = ConstantTable({})
+    for name, angle in (("1", twenty), ("2", minus_twenty), ("3", many)):
+        table.cosine_sine(angle, name, f"twist {name}")
+    assert set(table.constants) == {"ca1", "sa1"}
+    table.close()
+    cosine, sine = table.cosine_sine(twenty, "1", "twist 1")
+    assert table.cosine_sine(minus_twenty, "2", "twist 2") == (cosine, -sine)
+    assert table.cosine_sine(many, "3", "twist 3") == (-cosine, sine)
+
+
+@pytest.mark.parametrize(
+    ("angle", "expected"),
+    [
+        (times_pi(1, 3), Fraction(1, 3)),
+        (Binary("-", Pi(), times_pi(1, 4)), Fraction(3, 4)),
+        (Binary("/", Negate(Pi()), whole(2)), Fraction(-1, 2)),
+        (whole(0), Fraction(0)),
+        (whole(1), None),  # one radian
+        (Binary("*", Pi(), Pi()), None),
+        (Binary("/", Pi(), whole(0)), None),
+        (Name("a"), None),
+    ],
+)
+def test_multiples_of_pi(angle: Expression, expected: Fraction | None) -> None:
+    assert multiple_of_pi(angle) == expected
+
+
+def test_lengths_keep_the_names_of_parameters_and_numbers_get_one() -> None:
+    table = ConstantTable({"a": 0.5, "b": 0.25})
+    cells: list[tuple[Expression, str]] = [
+        (Name("a"), "a1"),
+        (Binary("-", Name("a"), Binary("*", whole(2), Name("b"))), "a2"),
+        (Number(Fraction(3, 10)), "a3"),
+        (whole(0), "a4"),
+        (Binary("*", Name("a"), Call("cos", Name("b"))), "a5"),
+    ]
+    for cell, name in cells:
+        table.length(cell, name, name)
+    ring = table.close()
+    a, b, a3, *_ = ring.gens
+    found = [table.length(cell, name, name) for cell, name in cells]
+    assert found[:4] == [a, a - 2 * b, a3, ring.zero]
+    assert table.constants["a3"].value == 0.3
+    values = {constant.name: constant.value for constant in table.constants.values()}
+    assert number(found[4], values) == pytest.approx(0.5 * math.cos(0.25))
+
+
+def test_a_parameter_never_takes_the_name_of_another_generator() -> None:
+    # r2 is the length of a slide, wx a coordinate of a point, sqrt2 a number
+    names = ["r2", "wx", "sqrt2", "c1m2", "unit", "r2_"]
+    table = ConstantTable({name: 0.5 + place for place, name in enumerate(names)})
+    for name in names:
+        table.length(Name(name), "a1", "link length 1")
+    found = {name: constant.value for name, constant in table.constants.items()}
+    expected = [("r2__", 0.5), ("wx_", 1.5), ("sqrt2_", 2.5), ("c1m2_", 3.5), ("unit_", 4.5)]
+    assert found == {**dict(expected), "r2_": 5.5}
+
+
+def test_two_angles_of_one_cell_do_not_share_a_pair() -> None:
+    # an entry of a roll-pitch-yaw matrix: cos(20 deg) cos(0.01)
+    cell = Binary("*", Call("cos", times_pi(20, 180)), Call("cos", Number(Fraction(1, 100))))
+    table = ConstantTable({})
+    table.scalar(cell, "e11", "entry")
+    table.close()
+    values = {constant.name: constant.value for constant in table.constants.values()}
+    expected = math.cos(math.radians(20)) * math.cos(0.01)
+    assert number(table.scalar(cell, "e11", "entry"), values) == pytest.approx(expected, abs=1e-15)
+
+
+def test_a_number_never_takes_the_name_of_a_parameter() -> None:
+    table = ConstantTable({"a1": 0.5})
+    table.length(Number(Fraction(1, 5)), "a1", "link length 1")
+    assert table.constants["a1_"].value == 0.2

@@ -1,0 +1,75 @@
+from __future__ import annotations
+
+import pytest
+
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.build import build_chain
+from dhgen.paul.derivation import derive
+from dhgen.paul.pool import build_pool
+from dhgen.paul.problem import build_problem
+from dhgen.paul.refusal import refusal
+from dhgen.paul.search import Search
+from dhgen.paul.types import CLOSED
+from tests.kinematics.values import algebra_of, table
+
+SKEW = (
+    "theta: q, d: 0.1, a: 0.2, alpha: 80 deg",
+    "theta: q, d: 0.2, a: 0.3, alpha: 20 deg",
+    "theta: q, d: 0.1, a: 0.2, alpha: 95 deg",
+    "theta: q, a: 0.1",
+)
+
+
+def refused(*rows: str, **sections: str) -> list[str]:
+    """The lines of a refusal."""
+    with pytest.raises(UnsolvedError) as info:
+        derive(build_chain(table(*rows, **sections)))
+    return str(info.value).splitlines()
+
+
+def stuck(*rows: str, **sections: str) -> list[str]:
+    """What would be said of an arm with too many joints, if that were not said first."""
+    algebra = algebra_of(table(*rows, **sections))
+    search = Search(build_pool(build_problem(algebra)), CLOSED)
+    assert list(search.routes()) == []
+    return refusal(search, algebra.chain).splitlines()
+
+
+def test_too_many_joints_for_the_task_are_said_first() -> None:
+    (first, *_) = refused(*["theta: q, a: 0.3"] * 3, task="[x, y]")
+    assert "joints 1, 2, 3 can be moved against each other" in first
+
+
+def test_the_nearest_equations_are_named_by_their_place() -> None:
+    lines = stuck(*["theta: q, a: 0.3"] * 3, task="[x, y]")
+    assert lines[0] == "no order of equations makes every joint known: 1, 2, 3 stay unknown"
+    assert "  theta1, theta12, theta123 in U0[1, 4], U0[2, 4]" in lines
+    assert lines[-1] == "  axes 1, 2, 3 are parallel"
+
+
+def test_a_wrist_that_nearly_meets() -> None:
+    arm = (
+        "theta: q, d: 0.4, a: 0.1, alpha: 50 deg",
+        "theta: q, d: 0.1, a: 0.5, alpha: 30 deg",
+        "theta: q, d: 0.2, a: 0.1, alpha: 75 deg",
+    )
+    wrist = ("theta: q, d: 0.5, alpha: -pi/2", "theta: q, d: 0.0321, alpha: pi/2")
+    lines = refused(*arm, *wrist, "theta: q, d: 0.1")
+    assert "  axes 4, 5, 6 miss one point by 0.0321" in lines
+    assert len(lines) <= 25
+    assert max(map(len, lines)) <= 140
+
+
+def test_reasons_stand_with_the_types_that_give_them() -> None:
+    lines = stuck(*SKEW, task="[x, y, z]")
+    assert len(lines) <= 25
+    assert "no three consecutive axes are parallel or meet in one point, not even nearly" in lines
+    assert "    type 2: the unknown is not one angle" in lines
+    assert "    type 1: the unknown is not one length" in lines
+
+
+def test_what_was_found_before_the_end_is_named() -> None:
+    # height comes from the slide alone, the plane has one joint too many
+    lines = stuck("theta: 0, d: q", *["theta: q, a: 0.3"] * 3, task="[x, y, z]")
+    assert "with r1 known, the equations with the fewest unknowns hold" in lines
+    assert lines[0].endswith("2, 3, 4 stay unknown")
