@@ -9,6 +9,7 @@ from dhgen.general import circle, polish, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, arctangent, grid, harmonics
 from dhgen.general.loop import reach
+from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ def values(kernel: GeneralKernel) -> dict[str, object]:
         "harmonics": [_numbers(row) for row in harmonics()],
         "grid_c": [_numbers(row) for row in grid_c],
         "grid_s": [_numbers(row) for row in grid_s],
+        "wrist": _wrist(kernel),
         "padded": PADDED,
         "padded_right": PADDED_RIGHT,
         "roots": ROOTS,
@@ -124,6 +126,33 @@ def _formulation(f: Formulation) -> dict[str, object]:
         "links": [_numbers(_rows(K)) for K in f.links],
         "table": [_numbers(_padded(column, height)) for column in columns],
         "left": [_numbers(_padded(row, LEFT_ROW)) for row in features],
+    }
+
+
+def _wrist(kernel: GeneralKernel) -> dict[str, object] | None:
+    """The numbers of an offset wrist."""
+    arm = kernel.wrist
+    if arm is None:
+        return None
+    K0, K1, K2, K3, _ = kernel.loop.links
+    elbow = [K1[i][3] + arm.elbow * K1[i][2] for i in range(2)]
+    wrist = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
+    return {
+        "shoulder": repr(arm.shoulder),
+        "wrist_5": repr(arm.wrist_5),
+        "upper": repr(arm.upper),
+        "lower": repr(arm.lower),
+        "upper_square": repr(arm.upper**2),
+        "lower_square": repr(arm.lower**2),
+        "cosine": repr(arm.cosine),
+        "sine": repr(arm.sine),
+        "flip": repr(arm.flip),
+        "bent": bool(arm.sine),
+        "per_root": arm.solutions_per_root,
+        # what the turns of joints 1 ... 4 bring into line with axis 3, E, W and z5
+        "sources": _numbers([K0[0][2], K0[1][2], *elbow, *wrist, K3[0][2], K3[1][2]]),
+        "nearly_right": repr(NEARLY_RIGHT),
+        "barely": repr(BARELY),
     }
 
 

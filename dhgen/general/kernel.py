@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation
     from dhgen.general.loop import Loop
+    from dhgen.general.offset_wrist import OffsetWrist
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +38,15 @@ class GeneralKernel:
         second: One with another hidden joint, for poses where the first one fails; None when
             the arm's structure leaves only one.
         scores: Of `first` and `second`.
+        wrist: When the arm has an offset wrist, whose polynomial is known in closed form: it is
+            tried before the formulations.
     """
 
     loop: Loop
     first: Formulation
     second: Formulation | None
     scores: tuple[Score, ...]
+    wrist: OffsetWrist | None = None
 
     @property
     def formulations(self) -> tuple[Formulation, ...]:

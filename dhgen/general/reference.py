@@ -15,6 +15,7 @@ import numpy as np
 from dhgen.general.circle import roots, sample_cosines, trigonometric
 from dhgen.general.determinant import equations, fold
 from dhgen.general.loop import reach
+from dhgen.general.offset_wrist import candidates, polynomial, wrist_at
 from dhgen.general.polish import is_singular, polish
 from dhgen.general.recover import null_vectors, partner_angles, remaining_angles, rigid_inverse
 
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.general.rigid import Matrix
 
     FloatArray = NDArray[np.float64]
@@ -70,7 +72,7 @@ def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:
     if np.linalg.norm(P[:3, 3]) > (1.0 + 1e-9) * reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     search = _Search([np.array(K) for K in loop.links], P)
-    complete = any(_certified(formulation, search) for formulation in kernel.formulations)
+    complete = _attempt(kernel, search)
     if not complete:
         complete = _from_nearby(kernel, search)
     if not complete:
@@ -127,6 +129,40 @@ class _Search:
         order = sorted(range(len(self.found)), key=lambda i: tuple(np.round(self.found[i], 9)))
         q = np.array([self.found[i] for i in order]).reshape(-1, 6)
         return Solved(q, np.array([self.residuals[i] for i in order]), complete)
+
+
+def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
+    """Offer what the closed form and the formulations find, until that is certainly everything."""
+    if kernel.wrist is not None and _certified_wrist(kernel.wrist, search):
+        return True
+    return any(_certified(formulation, search) for formulation in kernel.formulations)
+
+
+def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
+    """The same as `_certified` for an offset wrist."""
+    cosines, sines = sample_cosines()
+    K4 = search.links[4]
+    samples = [
+        polynomial(arm, *wrist_at(arm, K4, search.P, c, s)[1:])
+        for c, s in zip(cosines, sines, strict=True)
+    ]
+    f = trigonometric(np.array(samples))
+    if f.noise > NOISE or f.scale == 0.0:
+        return False
+    found = roots(f)
+    met: set[int | None] = set()
+    expected = 0
+    complete = found.complete
+    for angle in (*found.simple, *found.double):
+        double = angle in found.double
+        starts = candidates(arm, search.links, search.P, angle)
+        places = {search.offer(theta, doubtful=double) for theta in starts} - {None}
+        expected += arm.solutions_per_root
+        if double and not places & search.singular:
+            expected += arm.solutions_per_root
+        complete = complete and len(places) >= arm.solutions_per_root
+        met |= places
+    return complete and len(met) >= expected and search.paired
 
 
 def _certified(formulation: Formulation, search: _Search) -> bool:
@@ -191,7 +227,7 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     followed = False
     for motion in nudges():
         nearby = _Search(search.links, search.P @ np.array(motion))
-        complete = any(_certified(f, nearby) for f in kernel.formulations)
+        complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         if complete and places and None not in places:
             if len(places) == len(nearby.found) and not search.singular and search.paired:

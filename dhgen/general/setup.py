@@ -13,6 +13,7 @@ from dhgen.general.determinant import equations, fold
 from dhgen.general.formulation import formulations
 from dhgen.general.kernel import GeneralKernel, Score
 from dhgen.general.loop import close_loop
+from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.rigid import Matrix, multiply
 
 if TYPE_CHECKING:
@@ -67,8 +68,8 @@ def setup(constants: Sequence[Matrix]) -> GeneralKernel | None:
     _, _, first, score = ranked[0]
     for _, _, second, other in ranked[1:]:
         if second.joints[0] != first.joints[0]:
-            return GeneralKernel(loop, first, second, (score, other))
-    return GeneralKernel(loop, first, None, (score,))
+            return GeneralKernel(loop, first, second, (score, other), offset_wrist(loop))
+    return GeneralKernel(loop, first, None, (score,), offset_wrist(loop))
 
 
 def _rank(score: Score) -> int:
