@@ -25,12 +25,18 @@ _WORDS = {
 }
 
 
-def branch_words(steps: tuple[Step, ...]) -> tuple[tuple[str, str], ...]:
-    """The words for + and - of every step with two values, in the order of the steps."""
-    doubling = [step for step in steps if step.roots == 2]
-    parts = [_part(step) for step in doubling]
-    words = []
-    for step, part in zip(doubling, parts, strict=True):
+def branch_words(steps: tuple[Step, ...]) -> tuple[tuple[str, ...], ...]:
+    """The words for the values of every step with more than one, in the order of the steps.
+
+    Those of a sign are for + and -; the roots of a polynomial are numbered by ascending angle.
+    """
+    branching = [step for step in steps if step.roots > 1]
+    parts = [_part(step) for step in branching]
+    words: list[tuple[str, ...]] = []
+    for step, part in zip(branching, parts, strict=True):
+        if part == "root":
+            words.append(tuple(f"root{number}" for number in range(1, step.roots + 1)))
+            continue
         plus, minus = _WORDS[part]
         if parts.count(part) > 1:
             joint = _first_joint(step)
@@ -39,7 +45,7 @@ def branch_words(steps: tuple[Step, ...]) -> tuple[tuple[str, str], ...]:
     return tuple(words)
 
 
-def branch_labels(words: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
+def branch_labels(words: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
     """The name of every row, e.g. left-down-noflip; the first sign changes slowest."""
     labels: list[tuple[str, ...]] = [()]
     for pair in words:
@@ -48,6 +54,8 @@ def branch_labels(words: tuple[tuple[str, str], ...]) -> tuple[str, ...]:
 
 
 def _part(step: Step) -> str:
+    if step.kind is Kind.CIRCLE:
+        return "root"
     if step.kind in _SLIDES:
         return "slide"
     if step.kind in _ELBOWS:

@@ -51,7 +51,13 @@ class Angles:
     def solved(self, angle: AngleSum, cosine: Node, sine: Node) -> None:
         """An angle sum became known by its cosine and sine."""
         self._known(angle, cosine, sine)
-        self._angles[angle] = self._builder.apply("atan2", sine, cosine)
+        value = self._builder.apply("atan2", sine, cosine)
+        self._angles[angle] = self._builder.hint(value, f"theta{angle.suffix}")
+
+    def solved_by_angle(self, angle: AngleSum, value: Node) -> None:
+        """An angle sum became known itself."""
+        self._known(angle, self._builder.apply("cos", value), self._builder.apply("sin", value))
+        self._angles[angle] = value
 
     def solved_slide(self, name: str, value: Node) -> None:
         """The length of a prismatic joint became known."""
@@ -64,9 +70,7 @@ class Angles:
         if joint in self._algebra.slides:
             self.solved_slide(self._algebra.slides[joint], value)
             return
-        angle = AngleSum(((joint, 1),))
-        self._known(angle, self._builder.apply("cos", value), self._builder.apply("sin", value))
-        self._angles[angle] = value
+        self.solved_by_angle(AngleSum(((joint, 1),)), value)
 
     def compose(self, angle: AngleSum) -> None:
         """Cosine and sine of an angle sum from those of solved ones."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.graph import Graph
 from dhgen.program.ir import Integer, Joint
-from dhgen.program.schedule import Mark, scheduled
+from dhgen.program.schedule import Mark, Names, scheduled
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -24,8 +24,10 @@ class Builder(Graph):
     """
 
     def __init__(self, reserved: set[str], folded: str = "k") -> None:
-        super().__init__(reserved, folded)
+        super().__init__(reserved)
+        self._folded = folded
         self._names: dict[Node, str] = {}
+        self._hints: dict[Node, str] = {}
         self._marks: list[Mark] = []
 
     # operators
@@ -92,6 +94,8 @@ class Builder(Graph):
 
     def absolute(self, operand: Node) -> Node:
         """Its size; of a constant here and now."""
+        inner = self._negated(operand)
+        operand = operand if inner is None else inner
         value = self.entries[operand].value
         if value is None:
             return self.apply("abs", operand)
@@ -99,9 +103,9 @@ class Builder(Graph):
 
     def square(self, operand: Node) -> Node:
         """operand * operand, without its sign."""
-        entry = self.entries[operand]
-        inner = entry.operands[0] if entry.operator == "neg" else operand
-        return self.mul(inner, inner)
+        inner = self._negated(operand)
+        operand = operand if inner is None else inner
+        return self.mul(operand, operand)
 
     def select(self, condition: Node, yes: Node, no: Node) -> Node:
         """yes where the condition holds, else no."""
@@ -110,6 +114,10 @@ class Builder(Graph):
     def is_zero(self, node: Node) -> bool:
         """Whether a node is the number 0."""
         return self._is(node, 0)
+
+    def axes_of(self, node: Node) -> tuple[int, ...]:
+        """The axes that a node depends on."""
+        return self.entries[node].axes
 
     # names and statements
 
@@ -120,9 +128,15 @@ class Builder(Graph):
             self._names[node] = self.unique(wanted)
         return node
 
-    def heading(self, text: str) -> None:
-        """A step begins."""
-        self._marks.append(Mark(len(self.entries), heading=text))
+    def hint(self, node: Node, wanted: str) -> Node:
+        """The name that a value gets if it needs one; returns the value."""
+        if self.entries[node].operator is not None:
+            self._hints.setdefault(node, wanted)
+        return node
+
+    def heading(self, text: str, detail: str = "") -> None:
+        """A step begins; the detail is for the first time it is named."""
+        self._marks.append(Mark(len(self.entries), heading=text, detail=detail))
 
     def guard(
         self,
@@ -153,12 +167,22 @@ class Builder(Graph):
             )
         )
 
+    def circle_root(
+        self, wanted: str, coefficients: tuple[Node, ...], meaning: tuple[str, ...], step: int
+    ) -> Node:
+        """A root, in (-pi, pi], of a trigonometric polynomial of degree 2: a0, a1, b1, a2, b2."""
+        inner = sorted({axis for node in coefficients for axis in self.entries[node].axes})
+        mark = Mark(len(self.entries), roots=coefficients, axis=len(self.axes))
+        self._marks.append(mark)
+        return self.root(wanted, meaning, step, tuple(inner))
+
     def finish(self, name: str, results: dict[str, Node], free: list[tuple[int, Node]]) -> Program:
         """The program with these results, by the names they get if they have none."""
         named = [self.name(node, wanted) for wanted, node in results.items()]
         for number, node in free:
             self._names.setdefault(node, self.unique(f"free{number}"))
-        return scheduled(self, name, self._marks, self._names, named, free)
+        names = Names(self._names, self._hints, self._folded)
+        return scheduled(self, name, self._marks, names, named, free)
 
     # the inside
 

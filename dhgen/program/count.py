@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Guard, Let
+from dhgen.program.ir import Apply, Guard, Let, Roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -64,7 +64,10 @@ def _expressions(program: Program) -> Iterator[tuple[Expression, int]]:
     for statement in program.body:
         match statement:
             case Let(expression=expression, axes=axes) | Guard(condition=expression, axes=axes):
-                yield expression, 2 ** len(axes)
+                yield expression, program.combinations(axes)
+            case Roots(coefficients=coefficients, axes=axes):
+                for coefficient in coefficients:
+                    yield coefficient, program.combinations(axes)
 
 
 def _operators(expression: Expression) -> Iterator[str]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.builder import Builder
+from dhgen.program.joints import offset_constant
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Element
@@ -89,10 +90,17 @@ class _Walk:
     def along_arm(self) -> None:
         """From the base frame to the tool."""
         self._fixed(self._chain.base)
-        for link in self._chain.links:
+        for number, link in enumerate(self._chain.links, start=1):
             for element in link:
                 self._element(element)
+            self._name_frame(number)
         self._fixed(self._chain.tool)
+
+    def _name_frame(self, number: int) -> None:
+        """x3_y is the y component of the x axis of frame 3, p3_x its origin's x coordinate."""
+        for letter, column in zip("xyzp", self.columns, strict=True):
+            for component, entry in zip("xyz", column, strict=True):
+                self.builder.hint(entry, f"{letter}{number}_{component}")
 
     def _element(self, element: Element) -> None:
         match element:
@@ -122,7 +130,7 @@ class _Walk:
         turned = given if known.sign > 0 else builder.neg(given)
         if known.offset == 0.0:
             return turned
-        offset = builder.constant(f"offset{joint}", known.offset, f"offset of joint {joint}")
+        offset = offset_constant(builder, known)
         return builder.add(turned, offset)
 
     def _turn(self, cosine: Node, sine: Node) -> None:
@@ -167,6 +175,10 @@ class _Walk:
             for name, exponent in zip(names, monomial, strict=True):
                 for _ in range(exponent):
                     known = self._values[name]
-                    part = builder.mul(part, builder.constant(name, known.value, known.meaning))
+                    power = int(known.is_length)
+                    constant = builder.constant(
+                        name, known.value, known.meaning, power, derived=False
+                    )
+                    part = builder.mul(part, constant)
             total = builder.add(total, part)
         return total

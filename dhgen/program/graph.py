@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from dhgen.program.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
 from dhgen.program.reserved import RESERVED
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 Node = int
 
 _COMMUTES = frozenset({"add", "mul", "and", "or", "maximum"})
-_SYMBOLS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 _WHOLE = 100  # whole numbers up to here stand in the expressions themselves
 
 
@@ -47,28 +47,43 @@ class Graph:
     Attributes:
         entries: The nodes by number; operands come before their operator.
         constants: By name.
+        folded: Constants made from constants, by their leaf; they have no name yet.
         axes: The branch signs so far.
     """
 
-    def __init__(self, reserved: set[str], folded: str) -> None:
+    def __init__(self, reserved: set[str]) -> None:
         self.entries: list[Entry] = []
         self.constants: dict[str, NamedConstant] = {}
+        self.folded: dict[Expression, NamedConstant] = {}
         self.axes: list[Axis] = []
-        self._folded = folded
         self._reserved = set(reserved)
         self._used: set[str] = set()
         self._index: dict[object, Node] = {}
+        self._formulas: dict[Node, Formula] = {}
 
     def integer(self, value: int) -> Node:
         """A whole number."""
         return self._add(Entry(Integer(value), None, (), value=Fraction(value)))
 
-    def constant(self, name: str, value: float, meaning: str) -> Node:
-        """A number with a name; one that the targets use themselves gets a longer one."""
-        name = name + "_" if name in RESERVED else name
-        self.constants.setdefault(name, NamedConstant(name, value, meaning))
+    def constant(
+        self, name: str, value: float, meaning: str, power: int = 0, *, derived: bool = True
+    ) -> Node:
+        """A number with a name.
+
+        Args:
+            name: Its name; if the targets use it themselves it gets a longer one.
+            value: Its value.
+            meaning: For a comment.
+            power: The power of a length that it is.
+            derived: Whether it follows from the arm's own numbers.
+        """
+        while name in RESERVED:
+            name += "_"
+        self.constants.setdefault(name, NamedConstant(name, value, meaning, power, derived))
         self._reserved.add(name)
-        return self._add(Entry(Variable(name), None, (), value=Fraction(value)))
+        node = self._add(Entry(Variable(name), None, (), value=Fraction(value)))
+        self._formulas.setdefault(node, Formula(name, power))
+        return node
 
     def pose(self, row: int, column: int) -> Node:
         """An entry of the given pose, from 1."""
@@ -86,13 +101,21 @@ class Graph:
         """The value of a joint, in forward programs."""
         return self._add(Entry(Joint(number, "q"), None, ()))
 
-    def sign(self, meaning: tuple[str, str], step: int) -> Node:
+    def sign(self, meaning: tuple[str, ...], step: int) -> Node:
         """A new branch sign."""
         place = len(self.axes)
-        axis = Axis(f"e{place + 1}", meaning, step)
+        axis = Axis(self.unique(f"e{place + 1}"), meaning, step)
         self.axes.append(axis)
-        self._reserved.add(axis.name)
         return self._add(Entry(Variable(axis.name), None, (), (place,)))
+
+    def root(
+        self, wanted: str, meaning: tuple[str, ...], step: int, inner: tuple[int, ...]
+    ) -> Node:
+        """The angle of a root of a polynomial whose coefficients depend on the axes `inner`."""
+        place = len(self.axes)
+        axis = Axis(self.unique(wanted), meaning, step)
+        self.axes.append(axis)
+        return self._add(Entry(Variable(axis.name), None, (), (*inner, place)))
 
     def apply(self, operator: Operator, *operands: Node) -> Node:
         """An operator that is not simplified."""
@@ -112,8 +135,8 @@ class Graph:
             return self.integer(int(value))
         key = ("folded", value)
         if key not in self._index:
-            text = f"{self._described(left)} {_SYMBOLS[operator]} {self._described(right)}"
-            self._index[key] = self._fold(value, text)
+            formula = combined(operator, self._formula(left), self._formula(right))
+            self._index[key] = self._fold(value, formula)
         return self._index[key]
 
     def unique(self, wanted: str) -> str:
@@ -147,24 +170,21 @@ class Graph:
     def _is_integer(self, node: Node) -> bool:
         return isinstance(self.entries[node].leaf, Integer)
 
-    def _fold(self, value: Fraction, text: str) -> Node:
-        count = sum(name.startswith(self._folded) for name in self.constants)
-        name = self.unique(f"{self._folded}{count + 1}")
-        self.constants[name] = NamedConstant(name, float(value), text)
-        self.entries.append(Entry(Variable(name), None, (), value=value))
-        return len(self.entries) - 1
+    def _fold(self, value: Fraction, formula: Formula) -> Node:
+        """A constant without a name as yet: most are only parts of others."""
+        node = len(self.entries)
+        leaf = Variable(f"?{node}")
+        self.folded[leaf] = NamedConstant(
+            leaf.name, float(value), formula.text, formula.power, derived=True
+        )
+        self.entries.append(Entry(leaf, None, (), value=value))
+        self._formulas[node] = formula
+        return node
 
-    def _described(self, node: Node) -> str:
+    def _formula(self, node: Node) -> Formula:
         """A constant in the formula of another: its name, or the formula of a folded one."""
         leaf = self.entries[node].leaf
-        if isinstance(leaf, Integer):
-            return str(leaf.value)
-        assert isinstance(leaf, Variable)
-        known = self.constants[leaf.name]
-        folded = leaf.name.startswith(self._folded) and any(
-            f" {symbol} " in known.meaning for symbol in _SYMBOLS.values()
-        )
-        return f"({known.meaning})" if folded else leaf.name
+        return Formula(str(leaf.value)) if isinstance(leaf, Integer) else self._formulas[node]
 
 
 def _calculated(operator: Operator, left: Fraction, right: Fraction) -> Fraction:

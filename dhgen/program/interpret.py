@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.program.ir import Apply, Guard, Integer, Joint, Let, Pose, Variable
+from dhgen.program.circle import circle_roots
+from dhgen.program.ir import Apply, Guard, Integer, Joint, Let, Pose, Roots, Variable
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -70,7 +71,7 @@ class _Run:
             "seed": np.broadcast_to(np.zeros(dof) if seed is None else seed, (count, dof)),
             "free": np.broadcast_to(np.zeros(0) if free is None else free, (count, given)),
         }
-        self._shape = (count, *(2 for _ in program.axes))
+        self._shape = (count, *(axis.count for axis in program.axes))
         self._values: dict[str, Array] = {c.name: np.array(c.value) for c in program.constants}
         for place, axis in enumerate(program.axes):
             sign = np.array([1.0, -1.0])
@@ -84,6 +85,8 @@ class _Run:
             for statement in self._program.body:
                 if isinstance(statement, Let):
                     self._values[statement.name] = self._value(statement.expression)
+                elif isinstance(statement, Roots):
+                    self._values[self._program.axes[statement.axis].name] = self._roots(statement)
                 elif isinstance(statement, Guard):
                     alive &= self._value(statement.condition)
             joints = [self._flat(self._value(output)) for output in self._program.outputs]
@@ -94,6 +97,16 @@ class _Run:
         q = np.stack(joints, axis=-1)
         q[~solved] = np.nan
         return Rows(q, solved, self._flat(chosen) & solved)
+
+    def _roots(self, statement: Roots) -> Array:
+        """The roots along their axis, for all poses and all values of earlier axes."""
+        values = np.broadcast_arrays(*(self._value(each) for each in statement.coefficients))
+        shape = [*values[0].shape]
+        if len(shape) < len(self._shape):  # constant coefficients
+            shape = [1] * len(self._shape)
+        flat = np.stack([value.reshape(-1) for value in values], axis=-1)
+        found = np.array([circle_roots(*row) for row in flat.tolist()]).reshape(*shape, -1)
+        return np.moveaxis(found, -1, statement.axis + 1).squeeze(statement.axis + 2)
 
     def _flat(self, value: Array) -> Array:
         return np.broadcast_to(value, self._shape).reshape(self._shape[0], -1).copy()

@@ -1,8 +1,9 @@
 """The program: straight-line single assignment over real numbers, typed by branch axes.
 
 A value is not one number but an array over the branch axes it depends on: a value of type () is
-one number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, and the signs are the only
-source of axes: the type of every other value is the union of its operands' types. A scalar target
+one number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, or the choice among the
+roots of a polynomial, and these are the only source of axes: the type of every other value is the
+union of its operands' types. A scalar target
 loops over the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is
 computed twice.
 
@@ -14,9 +15,13 @@ solution fails a guard: its rows are then without a solution, whatever its value
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 Operator = Literal[
     "add",
@@ -42,17 +47,22 @@ Operator = Literal[
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """A sign that doubles the number of branches.
+    """What multiplies the number of branches: a sign, or the choice of a root of a polynomial.
 
     Attributes:
-        name: e1, e2, ...
-        meaning: What its two values are called, + first: ("lefty", "righty").
+        name: e1, e2, ... for signs; the name of the root's angle for polynomials.
+        meaning: What its values are called, for signs + first: ("left", "right").
         step: The number of the derivation's step that brings it in, from 1.
     """
 
     name: str
-    meaning: tuple[str, str]
+    meaning: tuple[str, ...]
     step: int
+
+    @property
+    def count(self) -> int:
+        """How many values it has."""
+        return len(self.meaning)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,13 +156,36 @@ class Guard:
 
 
 @dataclass(frozen=True, slots=True)
+class Roots:
+    """The real roots of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x, ascending in (-pi, pi].
+
+    Places without a root hold NaN. Which root is meant is an axis of its own, whose variable is x.
+
+    Attributes:
+        axis: Position of that axis in `Program.axes`.
+        coefficients: a0, a1, b1, a2, b2.
+        axes: The axes that the coefficients depend on.
+    """
+
+    axis: int
+    coefficients: tuple[Expression, ...]
+    axes: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Heading:
-    """The step that the following statements belong to."""
+    """The step that the following statements belong to.
+
+    Attributes:
+        text: What becomes known.
+        detail: How.
+    """
 
     text: str
+    detail: str = ""
 
 
-Statement = Let | Guard | Heading
+Statement = Let | Guard | Roots | Heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,12 +195,16 @@ class NamedConstant:
     Attributes:
         name: As it stands in the expressions.
         value: Its value.
-        meaning: For a comment.
+        meaning: For a comment: what it is, or its formula.
+        power: The power of a length that it is, for its unit.
+        derived: Whether it follows from the arm's own numbers.
     """
 
     name: str
     value: float
     meaning: str
+    power: int = 0
+    derived: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,4 +230,8 @@ class Program:
     @property
     def rows(self) -> int:
         """How many branches there are."""
-        return 1 << len(self.axes)
+        return self.combinations(range(len(self.axes)))
+
+    def combinations(self, axes: Iterable[int]) -> int:
+        """How many values a value of this type stands for."""
+        return math.prod(self.axes[axis].count for axis in axes)

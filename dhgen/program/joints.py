@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.chain import Chain, ChainJoint
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
 
@@ -61,4 +61,12 @@ class JointVariables:
         known = self._chain.joints[joint - 1]
         if known.offset == 0.0:
             return self._builder.integer(0)
-        return self._builder.constant(f"offset{joint}", known.offset, f"offset of joint {joint}")
+        return offset_constant(self._builder, known)
+
+
+def offset_constant(builder: Builder, joint: ChainJoint) -> Node:
+    """What is to be added to the value of a joint."""
+    turns = joint.kind is JointKind.REVOLUTE
+    meaning = f"offset of joint {joint.number}" + (" [rad]" if turns else "")
+    power = 0 if turns else 1
+    return builder.constant(f"offset{joint.number}", joint.offset, meaning, power, derived=False)

@@ -6,17 +6,20 @@ and Control of Robots, 2002, chapter 4); the forms without division are those of
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
+from dhgen.program.quartic import lower_circle
 from dhgen.program.roots import (
     finish,
     is_short,
     is_short_square,
     keep_one,
     letters,
+    named,
     remember,
     signed_root,
 )
@@ -64,7 +67,8 @@ def lower_angle(context: Lowering, step: Step) -> None:
     apart = builder.apply("less", limits[1], discriminant)
     root = signed_root(context, angle, discriminant, inside, apart, free)
     safe = square if free is None else builder.select(free, builder.integer(1), square)
-    inverse = builder.div(builder.integer(1), safe)
+    builder.hint(safe, f"divisor{angle.suffix}")
+    inverse = builder.hint(builder.div(builder.integer(1), safe), f"inverse{angle.suffix}")
     sine = builder.add(builder.mul(x, z), builder.mul(y, root))
     cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
     finish(context, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
@@ -84,12 +88,18 @@ def _lower_homogeneous(
     free = is_short(context, length, degree, angle)
     sign = context.new_sign()
     keep_one(context, sign, free)
-    safe = builder.select(free, builder.integer(1), length)
-    factor = builder.div(sign, safe)
+    factor = _over(context, sign, length, free, angle.suffix)
     cosine = builder.neg(builder.mul(x, factor))
     finish(context, angle, cosine, builder.mul(y, factor), free)
-    root = builder.mul(sign, length)
+    root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
     remember(context, step, angle, builder.integer(0), root)
+
+
+def _over(context: Lowering, sign: Node, length: Node, free: Node, suffix: str) -> Node:
+    """sign / length, where the length may be none."""
+    builder = context.builder
+    safe = builder.hint(builder.select(free, builder.integer(1), length), f"divisor{suffix}")
+    return builder.hint(builder.div(sign, safe), f"factor{suffix}")
 
 
 def lower_angle_pair(context: Lowering, step: Step) -> None:
@@ -101,6 +111,8 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     determinant = builder.sub(builder.mul(x1, y2), builder.mul(x2, y1))
     sine = builder.sub(builder.mul(z1, y2), builder.mul(z2, y1))
     cosine = builder.sub(builder.mul(x1, z2), builder.mul(x2, z1))
+    builder.hint(sine, f"S{angle.suffix}")
+    builder.hint(cosine, f"C{angle.suffix}")
     factors = [step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")]
     if context.are_constant(*factors) and not context.redundant:
         sine, cosine = builder.div(sine, determinant), builder.div(cosine, determinant)
@@ -113,8 +125,7 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     length = builder.name(length, f"w{angle.suffix}")
     # the product of two vectors of equal length, which vanish together
     free = is_short_square(context, length, degree // 2, angle)
-    safe = builder.select(free, builder.integer(1), length)
-    factor = builder.div(facing, safe)
+    factor = _over(context, facing, length, free, angle.suffix)
     finish(context, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
 
 
@@ -143,7 +154,7 @@ def lower_polar(context: Lowering, step: Step) -> None:
     free = is_short(context, length, 1, angle)
     sign = context.new_sign()
     keep_one(context, sign, free)
-    factor = builder.div(sign, builder.select(free, builder.integer(1), length))
+    factor = _over(context, sign, length, free, angle.suffix)
     finish(context, angle, builder.mul(v, factor), builder.mul(u, factor), free)
     context.angles.solved_slide(unknown.name, builder.mul(sign, length))
 
@@ -158,8 +169,10 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     assert isinstance(unknown, Length)
     builder = context.builder
     x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
-    v1, w1 = builder.div(y1, x1), builder.div(z1, x1)
-    v2, w2 = builder.div(y2, x2), builder.div(z2, x2)
+    quotients = builder.div(y1, x1), builder.div(z1, x1), builder.div(y2, x2), builder.div(z2, x2)
+    for letter, node in zip(("V1", "W1", "V2", "W2"), quotients, strict=True):
+        builder.hint(node, named(letter, angle.suffix))
+    v1, w1, v2, w2 = quotients
     a = builder.add(builder.square(w1), builder.square(w2))
     b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
     off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
@@ -181,9 +194,12 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
 def lower_two_angles(context: Lowering, step: Step) -> None:
     """Types 6, 7, 8 for the difference of the angles: the law of cosines.
 
-    With H and L the squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is
+    For one of the angles themselves, what is left is of type 2, X s + Y c = Z. With H and L the squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is
     accurate also where the arm is nearly folded.
     """
+    if "Z" in dict(step.coefficients):
+        lower_angle(context, step)
+        return
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
@@ -192,15 +208,15 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     x, y, n = letters(context, step, "X Y N")
     k = builder.name(builder.sub(reach, n), f"K{angle.suffix}")
     square = builder.add(builder.square(x), builder.square(y))
-    number, extremes = context.step_number, context.scales.extreme_reach
-    longest, shortest = extremes(step, number, "square of the {} reach")
+    extremes = partial(context.scales.extreme_reach, step, angle.suffix)
+    longest, shortest = extremes("square of the {} reach")
     discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
     builder.name(discriminant, f"D{angle.suffix}")
-    far, near = extremes(step, number, "the same, {} by rounding", TOLERANCES.reach)
+    far, near = extremes("the {}, with what rounding adds", TOLERANCES.reach)
     inside = builder.apply(
         "and", builder.apply("at_most", near, reach), builder.apply("at_most", reach, far)
     )
-    below, above = extremes(step, number, "the same, {} for merging", -TOLERANCES.merge)
+    below, above = extremes("the {}, where branches merge", -TOLERANCES.merge)
     apart = builder.apply(
         "and", builder.apply("less", above, reach), builder.apply("less", reach, below)
     )
@@ -222,4 +238,5 @@ KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {
     Kind.TWO_ANGLES: lower_two_angles,
     Kind.TWO_ANGLES_TURNED: lower_two_angles,
     Kind.ANGLE_AND_SUM: lower_two_angles,
+    Kind.CIRCLE: lower_circle,
 }

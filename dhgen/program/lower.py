@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
@@ -62,7 +63,7 @@ class Lowering:
             self.angles.take_given(joint)
         for number, step in enumerate(self._derivation.steps, start=1):
             self.step_number = number
-            self.builder.heading(_title(step))
+            self.builder.heading(_unknowns(step), _source(step))
             KERNELS[step.kind](self, step)
         if self._problem.redundant:
             self._check()
@@ -74,6 +75,11 @@ class Lowering:
         """The sign of the step at hand."""
         words = self._words[len(self.builder.axes)]
         return self.builder.sign(words, self.step_number)
+
+    def new_root(self, wanted: str, coefficients: tuple[Node, ...]) -> Node:
+        """A root of the polynomial of the step at hand, as an angle."""
+        words = self._words[len(self.builder.axes)]
+        return self.builder.circle_root(wanted, coefficients, words, self.step_number)
 
     def value(self, name: str) -> Node:
         """The value of one of the ring's generators."""
@@ -101,7 +107,8 @@ class Lowering:
     def _make(self, name: str) -> Node:
         if name in self._constants:
             known = self._constants[name]
-            return self.builder.constant(name, known.value, known.meaning)
+            power = int(known.is_length)
+            return self.builder.constant(name, known.value, known.meaning, power, derived=False)
         if name in POSE_NAMES:
             entry = self._target.entry(int(name[1]) - 1, int(name[2]) - 1)
             return self.builder.name(entry, name)
@@ -128,22 +135,26 @@ class Lowering:
         """A pose with more entries than the arm can choose has to be one of its poses."""
         builder = self.builder
         builder.heading("is the pose one that the arm can take?")
-        worst: Node | None = None
+        conditions: dict[tuple[int, ...], list[Node]] = {}
         for name in sorted(task_entries(self._algebra.chain.task)):
             row, column = int(name[1]) - 1, int(name[2]) - 1
             reached = self.lower(self._problem.forward.entry(row, column))
-            miss = builder.apply("abs", builder.sub(reached, self.value(name)))
-            degree = int(column == 3)
-            scale = self.scales.tolerance(TOLERANCES.consistent, degree, "consistent")
-            miss = builder.div(miss, scale)
-            worst = miss if worst is None else builder.apply("maximum", worst, miss)
-        assert worst is not None
-        within = builder.apply("at_most", worst, builder.integer(1))
-        builder.guard(within, Failure.INCONSISTENT)
+            miss = builder.absolute(builder.sub(self.value(name), reached))
+            scale = self.scales.tolerance(TOLERANCES.consistent, int(column == 3), "consistent")
+            if not builder.is_zero(miss):
+                near = builder.apply("at_most", miss, scale)
+                conditions.setdefault(builder.axes_of(near), []).append(near)
+        for nears in conditions.values():
+            builder.guard(reduce(partial(builder.apply, "and"), nears), Failure.INCONSISTENT)
 
 
-def _title(step: Step) -> str:
-    return f"{', '.join(_label(u) for u in step.unknowns)}: type {step.kind.value}"
+def _unknowns(step: Step) -> str:
+    return ", ".join(_label(unknown) for unknown in step.unknowns)
+
+
+def _source(step: Step) -> str:
+    """The type, and where its equations stand."""
+    return f"type {step.kind.value}: {' and '.join(origin.name for origin in step.origins)}"
 
 
 def _label(unknown: Unknown) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.algebra import AngleSum
     from dhgen.paul.step import Step
     from dhgen.program.graph import Node
     from dhgen.program.lower import Lowering
@@ -16,7 +16,17 @@ if TYPE_CHECKING:
 
 def letters(context: Lowering, step: Step, names: str) -> tuple[Node, ...]:
     """The values of some of the type's letters, named with spaces between."""
-    return tuple(context.lower(step.coefficient(name)) for name in names.split())
+    unknown = step.unknowns[0]
+    suffix = unknown.suffix if isinstance(unknown, AngleSum) else str(unknown.joint)
+    return tuple(
+        context.builder.hint(context.lower(step.coefficient(name)), named(name, suffix))
+        for name in names.split()
+    )
+
+
+def named(letter: str, suffix: str) -> str:
+    """A letter of a type at a step: X5, and X1_5 for X1."""
+    return f"{letter}_{suffix}" if letter[-1].isdigit() else letter + suffix
 
 
 def signed_root(
@@ -45,7 +55,7 @@ def signed_root(
     sign = context.new_sign()
     met = builder.apply("not", apart)
     keep_one(context, sign, met if free is None else builder.apply("or", met, free))
-    return builder.mul(sign, length)
+    return builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
 
 
 def keep_one(context: Lowering, sign: Node, met: Node) -> None:

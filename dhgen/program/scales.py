@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
 
-_REASONS = {
-    "free": "a vector this short fixes no angle",
-    "free_square": "the same, squared",
-    "reach": "rounding at the boundary of the workspace",
-    "merge": "two branches nearer than this are one",
-    "consistent": "a pose may be rounded by this",
+_NAMES = {
+    "free": ("free_limit", "a length that fixes no angle"),
+    "free_square": ("free_limit_squared", "square of a length that fixes no angle"),
+    "reach": ("reach_slack", "rounding at the boundary of the workspace"),
+    "merge": ("merge_slack", "nearer to that boundary two branches are one"),
+    "consistent": ("pose_slack", "a pose may be rounded by this"),
 }
 
 
@@ -43,11 +43,9 @@ class Scales:
 
     def tolerance(self, relative: float, degree: int, kind: str) -> Node:
         """A tolerance for a value that is a product of `degree` lengths."""
-        units = {0: "", 1: " [length]"}
-        unit = units.get(degree, f" [length^{degree}]")
-        name = f"{kind}_tolerance{degree or ''}"
+        name, meaning = _NAMES[kind]
         value = relative * self._size**degree
-        return self._builder.constant(name, value, f"{_REASONS[kind]}{unit}")
+        return self._builder.constant(f"{name}{degree or ''}", value, meaning, degree)
 
     def distances(self, degree: int) -> tuple[Node, Node]:
         """What rounding may do to a value of this many lengths: for reaching, and for merging."""
@@ -64,13 +62,13 @@ class Scales:
         return max(degrees, default=0)
 
     def extreme_reach(
-        self, step: Step, number: int, meaning: str, widened: float = 0.0
+        self, step: Step, suffix: str, meaning: str, widened: float = 0.0
     ) -> tuple[Node, Node]:
         """Squares of the longest and shortest |V + W| of two links V and W that turn freely.
 
         Args:
             step: The step, with V and W made of lengths alone.
-            number: The step's number, for names.
+            suffix: The angle's, for names.
             meaning: For comments; {} is longest or shortest.
             widened: By how much both reaches are moved apart [arm sizes].
         """
@@ -84,8 +82,8 @@ class Scales:
         shortest = max(abs(v - w) - move, 0.0) ** 2
         constant = self._builder.constant
         return (
-            constant(f"longest{number}{tail}", longest, meaning.format("longest")),
-            constant(f"shortest{number}{tail}", shortest, meaning.format("shortest")),
+            constant(f"longest{suffix}{tail}", longest, meaning.format("longest"), 2),
+            constant(f"shortest{suffix}{tail}", shortest, meaning.format("shortest"), 2),
         )
 
     def _number(self, polynomial: Polynomial) -> float:

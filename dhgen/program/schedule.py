@@ -6,10 +6,10 @@ computed outside that user's loop), or when a kernel asked for a name that a rea
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Failure, Guard, Heading, Joint, Let, Program, Variable
+from dhgen.program.ir import Apply, Failure, Guard, Heading, Joint, Let, Program, Roots, Variable
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -22,11 +22,14 @@ TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A heading, or a guard, between nodes.
+    """A heading, a guard, or the roots of a polynomial, between nodes.
 
     Attributes:
         position: It stands before the node with this number.
-        heading: The text of a heading; None for guards.
+        heading: The text of a heading; else None.
+        detail: Its details.
+        roots: The coefficients of a polynomial; else empty.
+        axis: The axis of its roots.
         condition: What must hold.
         margin: What must not be negative, if that is the condition.
         failure: Why it may not hold.
@@ -35,6 +38,9 @@ class Mark:
 
     position: Node
     heading: str | None = None
+    detail: str = ""
+    roots: tuple[Node, ...] = ()
+    axis: int = -1
     condition: Node = -1
     margin: Node | None = None
     failure: Failure = Failure.REACH
@@ -42,18 +48,33 @@ class Mark:
 
     @property
     def wanted(self) -> tuple[Node, ...]:
-        """The nodes that a guard looks at."""
-        if self.heading is not None:
-            return ()
+        """The nodes that a guard or a polynomial looks at."""
+        if self.heading is not None or self.roots:
+            return self.roots
         margin = () if self.margin is None else (self.margin,)
         return (self.condition, *margin, *self.chosen)
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Names of nodes.
+
+    Attributes:
+        given: Of nodes that are named in any case; the others get theirs here.
+        hints: What nodes are called if they need a name.
+        folded: What the names of constants made from constants begin with.
+    """
+
+    given: dict[Node, str]
+    hints: dict[Node, str]
+    folded: str
 
 
 def scheduled(
     graph: Graph,
     name: str,
     marks: list[Mark],
-    names: dict[Node, str],
+    names: Names,
     results: list[Node],
     free: list[tuple[int, Node]],
 ) -> Program:
@@ -63,7 +84,7 @@ def scheduled(
         graph: The nodes.
         name: The robot's identifier.
         marks: Guards and headings in their order.
-        names: Names that nodes have already; the others get theirs here.
+        names: What nodes are called.
         results: The outputs.
         free: The truth values that say a joint was chosen, by joint number.
     """
@@ -73,25 +94,28 @@ def scheduled(
     used = _names_in(body, outputs)
     return Program(
         name=name,
-        constants=tuple(c for c in graph.constants.values() if c.name in used),
+        constants=tuple(c for c in schedule.constants if c.name in used),
         axes=tuple(graph.axes),
         body=body,
         outputs=outputs,
-        free=tuple((number, names[node]) for number, node in free),
+        free=tuple((number, names.given[node]) for number, node in free),
     )
 
 
 class _Schedule:
-    def __init__(
-        self, graph: Graph, marks: list[Mark], names: dict[Node, str], outputs: list[Node]
-    ) -> None:
+    def __init__(self, graph: Graph, marks: list[Mark], names: Names, outputs: list[Node]) -> None:
         self._graph = graph
-        self._entries = graph.entries
+        self._entries = list(graph.entries)
         self._marks = sorted(marks, key=lambda mark: mark.position)
-        self._names = names
+        self._names = names.given
+        self._hints = names.hints
         self._outputs = outputs
+        self._count = 0
+        self.constants = list(graph.constants.values())
         self._signs = [Variable(axis.name) for axis in graph.axes]
+        self._mirror_differences()
         self._live = self._needed()
+        self._name_folded(names.folded)
         self._name_shared()
 
     def statements(self) -> list[Statement]:
@@ -120,7 +144,11 @@ class _Schedule:
 
     def _statement(self, mark: Mark) -> Statement:
         if mark.heading is not None:
-            return Heading(mark.heading)
+            return Heading(mark.heading, mark.detail)
+        if mark.roots:
+            axes = {axis for node in mark.roots for axis in self._entries[node].axes}
+            coefficients = tuple(self.expression(node) for node in mark.roots)
+            return Roots(mark.axis, coefficients, tuple(sorted(axes)))
         margin = None if mark.margin is None else self.expression(mark.margin)
         chosen = tuple(self._names[node] for node in mark.chosen)
         axes = self._entries[mark.condition].axes
@@ -137,6 +165,31 @@ class _Schedule:
                 pending += self._entries[node].operands
         return live
 
+    def _mirror_differences(self) -> None:
+        """Of a - b and b - a, where both are needed, the later one is minus the first."""
+        first: dict[tuple[Node, ...], Node] = {}
+        for node in sorted(self._needed()):
+            entry = self._entries[node]
+            if entry.operator != "sub":
+                continue
+            mirror = first.get(entry.operands[::-1])
+            if mirror is None:
+                first[entry.operands] = node
+            else:
+                self._entries[node] = replace(entry, operator="neg", operands=(mirror,))
+                self._names.pop(node, None)
+
+    def _name_folded(self, letter: str) -> None:
+        """The constants made from constants are numbered in the order of their use."""
+        count = 0
+        for node in sorted(self._live):
+            leaf = self._entries[node].leaf
+            constant = None if leaf is None else self._graph.folded.get(leaf)
+            if constant is not None:
+                count += 1
+                self._names[node] = self._graph.unique(f"{letter}{count}")
+                self.constants.append(replace(constant, name=self._names[node]))
+
     def _name_shared(self) -> None:
         uses, wider = self._uses()
         for mark in self._marks:
@@ -147,7 +200,11 @@ class _Schedule:
             if entry.operator in {None, "neg", "not"} or self._is_rare(entry):
                 continue
             if (uses.get(node, 0) > 1 or node in wider) and node not in self._names:
-                self._names[node] = self._graph.unique(f"v{len(self._names) + 1}")
+                self._names[node] = self._graph.unique(self._hints.get(node) or self._next())
+
+    def _next(self) -> str:
+        self._count += 1
+        return f"v{self._count}"
 
     def _uses(self) -> tuple[dict[Node, int], set[Node]]:
         """How often each node is used, and which are used in a deeper loop than their own."""
@@ -185,6 +242,8 @@ def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[s
                 pending.append(expression)
             case Guard(condition, margin=margin):
                 pending += [condition] if margin is None else [condition, margin]
+            case Roots(coefficients=coefficients):
+                pending += coefficients
     while pending:
         expression = pending.pop()
         if isinstance(expression, Variable):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Guard, Heading, Integer, Joint, Let, Pose, Variable
+from dhgen.program.ir import Apply, Guard, Heading, Integer, Joint, Let, Pose, Roots, Variable
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program, Statement
@@ -26,10 +26,13 @@ def _statement(program: Program, statement: Statement) -> str:
         return "[" + " ".join(program.axes[axis].name for axis in axes) + "]"
 
     match statement:
-        case Heading(text):
-            return f"# {text}"
+        case Heading(text, detail):
+            return f"# {text}, {detail}" if detail else f"# {text}"
         case Let(name, expression, axes):
             return f"  {name}{signs(axes)} = {expression_text(expression)}"
+        case Roots(axis, coefficients, axes):
+            texts = ", ".join(map(expression_text, coefficients))
+            return f"  {program.axes[axis].name}{signs((*axes, axis))} = roots({texts})"
         case Guard(condition, axes, failure):
             return f"  guard{signs(axes)} {expression_text(condition)}  ({failure.value})"
 

@@ -29,6 +29,10 @@ class Tolerances:
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
+            double root: rounding of the coefficients may move it either way.
+        simple: Where the slope is above this, relative to the coefficients, a Newton step
+            improves a root; below, it may leap away.
     """
 
     free: float = 1e-12
@@ -39,6 +43,8 @@ class Tolerances:
     last_row: float = 1e-9
     consistent: float = 1e-5
     limit: float = 1e-9
+    double: float = 1e-13
+    simple: float = 1e-4
 
 
 TOLERANCES = Tolerances()

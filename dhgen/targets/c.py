@@ -4,152 +4,150 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.module import joint_types, module_values
-from dhgen.targets.scalar import output_texts, row_text, solver_lines, straight_lines, wrapped
+from dhgen.targets.c_language import C
+from dhgen.targets.layout import WIDTH, call, listed, packed, paragraph
+from dhgen.targets.module import constant_texts, made_text, module_values
+from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.nest import Loop
 
-_FUNCTIONS = {
-    "abs": "fabs",
-    "sqrt": "sqrt",
-    "atan2": "atan2",
-    "sin": "sin",
-    "cos": "cos",
-    "wrap": "wrap",
-    "maximum": "fmax",
-}
-
-
-class C:
-    """C99 as a scalar language."""
-
-    def pose(self, row: int, column: int) -> str:
-        """An entry of the pose, row-major."""
-        return f"T[{4 * (row - 1) + column - 1}]"
-
-    def joint(self, number: int, role: str) -> str:
-        """A joint value of the caller."""
-        array = {"seed": "seed", "free": "free_joints", "q": "q"}[role]
-        return f"{array}[{number - 1}]"
-
-    def function(self, operator: str) -> str:
-        """The name in <math.h>."""
-        return _FUNCTIONS[operator]
-
-    def conjunction(self) -> str:
-        """And."""
-        return "&&"
-
-    def disjunction(self) -> str:
-        """Or."""
-        return "||"
-
-    def negation(self) -> str:
-        """Not."""
-        return "!"
-
-    def choice(self, condition: str, yes: str, no: str) -> str:
-        """A conditional expression."""
-        return f"{condition} ? {yes} : {no}"
-
-    def comment(self, text: str) -> str:
-        """A comment line."""
-        return f"/* {text} */"
-
-    def let(self, name: str, value: str, *, truth: bool) -> str:
-        """A constant local."""
-        return f"const {'int' if truth else 'double'} {name} = {value};"
-
-    def leave(self, condition: str, depth: int, losses: list[str]) -> list[str]:
-        """Leaves the loop body, or the function outside of loops."""
-        jump = "continue;" if depth else "return;"
-        if not losses:
-            return [f"if ({condition}) {jump}"]
-        return [f"if ({condition}) {{", *(f"    {line}" for line in losses), f"    {jump}", "}"]
-
-    def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
-        """Notes the joint that was chosen and by how much the branch then failed."""
-        lines = []
-        for number, name in flags:
-            lines += [
-                f"if ({name}) {{",
-                f"    status[{row}] = LOST + {number};",
-                f"    q[{row}][0] = {margin};",
-                "}",
-            ]
-        return lines
-
-    def open_loop(self, loop: Loop) -> list[str]:
-        """A loop over a sign."""
-        index, sign = f"i{loop.place + 1}", loop.axis.name
-        plus, minus = loop.axis.meaning
-        return [
-            f"for (int {index} = 0; {index} < 2; {index}++) {{ /* {plus}, {minus} */",
-            f"    const double {sign} = {index} == 0 ? 1.0 : -1.0;",
-        ]
-
-    def close_loop(self) -> list[str]:
-        """The closing brace."""
-        return ["}"]
-
-    def store(self, program: Program) -> list[str]:
-        """One row of results."""
-        lines = [f"const int row = {row_text(program, len(program.axes))};"]
-        lines += [
-            f"q[row][{place}] = {value};" for place, value in enumerate(output_texts(program, self))
-        ]
-        flags = " || ".join(name for _, name in program.free)
-        prefix = program.name.upper()
-        status = f"{flags} ? {prefix}_FREE_JOINT : {prefix}_OK" if flags else f"{prefix}_OK"
-        return [*lines, f"status[row] = {status};"]
-
-    def broken(self, line: str, indent: str) -> list[str]:
-        """C may be broken at any space."""
-        return wrapped(line, indent)
-
-
-def _assignments(array: str, entries: list[str], columns: int) -> list[str]:
-    """A matrix, one of its rows after another, as statements of one line or more."""
-    lines: list[str] = []
-    for start in range(0, len(entries), columns):
-        row = entries[start : start + columns]
-        text = " ".join(f"{array}[{start + place}] = {entry};" for place, entry in enumerate(row))
-        lines += wrapped(f"    {text}", "    ", "")
-    return lines
-
-
-def _free_texts(module: SolverModule) -> dict[str, str]:
-    """The parameter for free joints, where there are any, with its comma."""
-    count = len(module.chain.free)
-    if not count:
-        names = ("parameter", "parameter_batch", "argument", "argument_batch")
-        return {f"free_{name}": "" for name in names}
-    return {
-        "free_parameter": f" const double free_joints[{count}],",
-        "free_parameter_batch": " const double *free_joints,",
-        "free_argument": " free_joints,",
-        "free_argument_batch": f" free_joints + {count} * k,",
-    }
+INDENT = "    "
 
 
 def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
-    language = C()
-    dof = module.chain.dof
-    values = module_values(module) | {
-        **_free_texts(module),
-        "revolute_flags": ", ".join("1" if kind == "R" else "0" for kind in joint_types(module)),
-        "solver": solver_lines(module.solver, language, "    "),
-        "forward": straight_lines(module.forward, language, "    "),
-        "forward_rows": _assignments("T", output_texts(module.forward, language), 4),
-        "jacobian": straight_lines(module.jacobian, language, "    "),
-        "jacobian_rows": _assignments("J", output_texts(module.jacobian, language), dof),
-    }
+    values = module_values(module) | _texts(module) | _functions(module) | _bodies(module)
     return {
         f"{module.name}.h": render("c/solver.h.jinja", **values),
         f"{module.name}.c": render("c/solver.c.jinja", **values),
     }
+
+
+def _texts(module: SolverModule) -> dict[str, object]:
+    """Comments, constants and arrays."""
+    limits = [joint.limits for joint in module.chain.joints]
+    low = [repr(pair[0]) if pair else "-INFINITY" for pair in limits]
+    high = [repr(pair[1]) if pair else "INFINITY" for pair in limits]
+    flags = ["1" if kind == "R" else "0" for kind in module.joint_types]
+    dof = module.chain.dof
+    frames = "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
+    finite = [f"isfinite(T[{4 * row + 3}])" for row in module.position_entries]
+    given = [f"isfinite(free_joints[{place}])" for place in range(len(module.chain.free))]
+    values = module_values(module)
+    return {
+        "about": paragraph(f"{module.name}: {values['title']}", " * "),
+        "made_h": paragraph(made_text(module, "c/solver.h.jinja"), " * "),
+        "made_c": paragraph(made_text(module, "c/solver.c.jinja"), " * "),
+        "frames": paragraph(
+            f"{frames}{module.length_unit}, angles in rad. {values['task']}", " * "
+        ),
+        "constants": [line for each in constant_texts(module) for line in _constant(*each)],
+        "branch_names": _strings(module.branches),
+        "lowest": _array(f"static const double lowest[{dof}]", low),
+        "highest": _array(f"static const double highest[{dof}]", high),
+        "revolute": _array(f"static const int revolute[{dof}]", flags),
+        "weight": _array(f"static const double weight[{dof}]", map(repr, module.weights)),
+        "finite": " && ".join(finite),
+        "given_finite": " && ".join(given),
+        "jacobian_size": 6 * dof,
+        "row_size": module.solver.rows * dof,
+    }
+
+
+def _functions(module: SolverModule) -> dict[str, str]:
+    """Prototypes of the header's functions, and what they share."""
+    name, dof, rows = module.name, module.chain.dof, module.solver.rows
+    count = len(module.chain.free)
+    free = [f"const double free_joints[{count}]"] if count else []
+    pose = "const double T[16]"
+    table = [f"double q[{rows}][{dof}]", f"unsigned char status[{rows}]"]
+    batch_free = ["const double *free_joints"] if count else []
+    given = ["free_joints"] if count else []
+    batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
+    seed = f"const double q_seed[{dof}]"
+    return {
+        "ik_prototype": call(f"int {name}_ik", [pose, *free, "const double *q_seed", *table], ""),
+        "nearest_prototype": call(
+            f"int {name}_ik_nearest", [pose, *free, seed, f"double q[{dof}]"], ""
+        ),
+        "batch_prototype": call(f"void {name}_ik_batch", batch, ""),
+        "solve_prototype": call(
+            "static void solve", [pose, *free, f"const double seed[{dof}]", *table], ""
+        ),
+        "batch_call": call(
+            f"(void){name}_ik",
+            [
+                "T + 16 * k",
+                *(f"{each} + {count} * k" for each in given),
+                "NULL",
+                f"(double (*)[{dof}])(q + {rows * dof} * k)",
+                f"status + {rows} * k",
+            ],
+            ";",
+            INDENT * 2,
+        ),
+        "free_parameter": "".join(f", {each}" for each in free),
+        "free_argument": "".join(f", {each}" for each in given),
+    }
+
+
+def _bodies(module: SolverModule) -> dict[str, object]:
+    """The programs as lines."""
+    language = C()
+    forward = output_texts(module.forward, language)
+    jacobian = output_texts(module.jacobian, language)
+    return {
+        "entries": _entries(module.solver),
+        "solver": solver_lines(module.solver, language, INDENT),
+        "forward": straight_lines(module.forward, language, INDENT),
+        "forward_rows": _assignments("T", forward, 4),
+        "jacobian": straight_lines(module.jacobian, language, INDENT),
+        "jacobian_rows": _assignments("J", jacobian, module.chain.dof),
+    }
+
+
+def _entries(program: Program) -> list[str]:
+    """The entries of the pose get their names, row by row."""
+    lines = []
+    for row in (1, 2, 3):
+        named = [
+            f"T{entry.row}{entry.column} = T[{4 * (row - 1) + entry.column - 1}]"
+            for entry in pose_entries(program)
+            if entry.row == row
+        ]
+        lines += [f"{INDENT}const double {', '.join(named)};"] if named else []
+    return lines
+
+
+def _constant(name: str, value: str, comment: str) -> list[str]:
+    line = f"static const double {name} = {value};"
+    if len(line) + len(comment) + 7 <= WIDTH:
+        return [f"{line} /* {comment} */"]
+    return [f"/* {paragraph(comment, ' * ')} */", line]
+
+
+def _strings(texts: Iterable[str]) -> list[str]:
+    return listed([f'"{text}"' for text in texts], INDENT)
+
+
+def _array(head: str, entries: Iterable[str]) -> str:
+    texts = list(entries)
+    line = f"{head} = {{ {', '.join(texts)} }};"
+    if len(line) <= WIDTH:
+        return line
+    return "\n".join([f"{head} = {{", *listed(texts, INDENT), "};"])
+
+
+def _assignments(array: str, entries: list[str], columns: int) -> list[str]:
+    """A matrix, one of its rows after another."""
+    lines: list[str] = []
+    for start in range(0, len(entries), columns):
+        row = entries[start : start + columns]
+        pieces = [f"{array}[{start + place}] = {entry};" for place, entry in enumerate(row)]
+        lines += packed(pieces, INDENT)
+    return lines

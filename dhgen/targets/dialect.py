@@ -96,7 +96,7 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
         case "not":
             return f"{dialect.negation()}{part(0, UNARY)}", NEGATION
         case "select":
-            choice = dialect.choice(part(0, DISJUNCTION), part(1, CHOICE + 1), part(2, CHOICE + 1))
+            choice = dialect.choice(part(0, NEGATION), part(1, CHOICE + 1), part(2, CHOICE + 1))
             return choice, CHOICE
         case _:
             inner = ", ".join(part(place, CHOICE) for place in range(len(operands)))

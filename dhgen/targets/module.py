@@ -7,16 +7,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.paul.branches import branch_labels
-from dhgen.program.ir import Apply, Guard, Joint, Let
+from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import JointKind, TaskKind
-from dhgen.targets.scalar import merged_constants
+from dhgen.targets.walk import chooses_again, finds_roots, merged_constants, reads, uses
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from dhgen.kinematics.chain import Chain
-    from dhgen.program.ir import Expression, NamedConstant, Program
+    from dhgen.program.ir import NamedConstant, Program
+
+
+FAN = 64  # values of a free joint that are tried first
+HALVINGS = 52  # until an interval of a turn is as small as rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,105 +50,109 @@ class SolverModule:
         """The name of every row."""
         return branch_labels(tuple(axis.meaning for axis in self.solver.axes))
 
+    @property
+    def joint_types(self) -> str:
+        """R or P for every joint."""
+        turning = JointKind.REVOLUTE
+        return "".join("R" if joint.kind is turning else "P" for joint in self.chain.joints)
+
+    @property
+    def programs(self) -> tuple[Program, Program, Program]:
+        """The three programs."""
+        return self.solver, self.forward, self.jacobian
+
+    @property
+    def weights(self) -> tuple[float, ...]:
+        """What squared differences of joint values count: lengths in arm sizes."""
+        slide = 1.0 / self.chain.size**2
+        return tuple(1.0 if kind == "R" else slide for kind in self.joint_types)
+
+    @property
+    def position_entries(self) -> tuple[int, ...]:
+        """Rows, from 0, of the translation that the task names."""
+        task = self.chain.task
+        match task.kind:
+            case TaskKind.ORIENTATION:
+                return ()
+            case TaskKind.COORDINATES:
+                return tuple("xyz".index(name) for name in task.coordinates)
+            case _:
+                return 0, 1, 2
+
 
 def module_values(module: SolverModule) -> dict[str, object]:
     """What the templates of every language name."""
     chain = module.chain
     kind = chain.task.kind
-    programs = (module.solver, module.forward, module.jacobian)
-    limits = [joint.limits for joint in chain.joints]
     return {
         "name": module.name,
         "upper": module.name.upper(),
-        "title": _plain(module.title),
+        "title": plain(module.title),
         "source": module.source,
         "dof": chain.dof,
         "rows": module.solver.rows,
-        "branches": module.branches,
-        "branch_list": ", ".join(module.branches),
-        "task": _task_text(kind, chain.task.coordinates),
+        "task": _task_text(module),
         "unit": module.length_unit,
-        "constants": [_constant(constant) for constant in merged_constants(*programs)],
-        "joint_types": joint_types(module),
-        "has_slides": not all(_turns(joint.kind) for joint in chain.joints),
-        "has_turns": any(_turns(joint.kind) for joint in chain.joints),
-        "low": [repr(limit[0]) if limit else "-inf" for limit in limits],
-        "high": [repr(limit[1]) if limit else "inf" for limit in limits],
-        "weights": [repr(1.0 if _turns(j.kind) else 1.0 / chain.size**2) for j in chain.joints],
-        "free": chain.free,
+        "joint_types": module.joint_types,
+        "has_slides": "P" in module.joint_types,
+        "has_turns": "R" in module.joint_types,
         "free_count": len(chain.free),
-        "uses_wrap": any(_uses(program, "wrap") for program in programs),
-        "uses_seed": _reads(module.solver, "seed"),
-        "forward_uses_q": _reads(module.forward, "q"),
-        "jacobian_uses_q": _reads(module.jacobian, "q"),
-        "chooses_again": any(
-            isinstance(statement, Guard) and statement.chosen and statement.margin is not None
-            for statement in module.solver.body
-        ),
-        "checks_position": kind is not TaskKind.ORIENTATION,
+        "free_list": ", ".join(map(str, chain.free)),
+        "uses_circle": finds_roots(module.solver),
+        "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
+        "uses_wrap": any(uses(program, "wrap") for program in module.programs),
+        "uses_seed": reads(module.solver, "seed"),
+        "forward_uses_q": reads(module.forward, "q"),
+        "jacobian_uses_q": reads(module.jacobian, "q"),
+        "chooses_again": chooses_again(module.solver),
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
         "checks_last_row": kind is TaskKind.POSE,
-        "position_entries": _position_entries(kind, chain.task.coordinates),
         "tolerances": TOLERANCES,
         "turn": repr(2.0 * math.pi),
+        "fan": FAN,
+        "half_fan": FAN // 2,
+        "halvings": HALVINGS,
     }
 
 
-def joint_types(module: SolverModule) -> str:
-    """R or P for every joint."""
-    return "".join("R" if _turns(joint.kind) else "P" for joint in module.chain.joints)
+def made_text(module: SolverModule, template: str) -> str:
+    """Where a file comes from."""
+    return (
+        f"Inverse kinematics, generated from {module.source} and templates/{template}. "
+        f"Do not edit: run dhgen {module.source}. "
+        f"The formulas and where they come from: {module.name}.md."
+    )
 
 
-def _turns(kind: JointKind) -> bool:
-    return kind is JointKind.REVOLUTE
-
-
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Free text that cannot end a comment or a docstring."""
     return text.replace("*/", "* /").replace("/*", "/ *").replace('"""', "'''").replace("\\", "/")
 
 
-def _constant(constant: NamedConstant) -> tuple[str, str, str]:
-    return constant.name, repr(constant.value), _plain(constant.meaning)
+def constant_texts(module: SolverModule) -> list[tuple[str, str, str]]:
+    """Name, value and comment of every constant."""
+    own = [constant.name for constant in module.chain.constants]
+    constants = merged_constants(module.programs, own)
+    return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
 
 
-def _position_entries(kind: TaskKind, coordinates: tuple[str, ...]) -> list[int]:
-    """Rows, from 0, of the translation that the task names."""
-    if kind is TaskKind.ORIENTATION:
-        return []
-    if kind is TaskKind.COORDINATES:
-        return ["xyz".index(name) for name in coordinates]
-    return [0, 1, 2]
+def _comment(constant: NamedConstant, length: str) -> str:
+    units = {0: "", 1: f" [{length}]"}
+    return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
 
 
-def _task_text(kind: TaskKind, coordinates: tuple[str, ...]) -> str:
-    texts = {
-        TaskKind.POSE: "the whole pose",
-        TaskKind.POSITION: "the position T[0:3, 3]",
-        TaskKind.ORIENTATION: "the orientation T[0:3, 0:3]",
-        TaskKind.POINTING: "the position T[0:3, 3] and the tool's z axis T[0:3, 2]",
-    }
-    return texts.get(kind, f"the coordinates {', '.join(coordinates)} of the position")
-
-
-def _expressions(program: Program) -> Iterator[Expression]:
-    pending: list[Expression] = list(program.outputs)
-    for statement in program.body:
-        if isinstance(statement, Let):
-            pending.append(statement.expression)
-        elif isinstance(statement, Guard):
-            pending.append(statement.condition)
-    while pending:
-        expression = pending.pop()
-        yield expression
-        if isinstance(expression, Apply):
-            pending += expression.operands
-
-
-def _uses(program: Program, operator: str) -> bool:
-    return any(isinstance(e, Apply) and e.operator == operator for e in _expressions(program))
-
-
-def _reads(program: Program, role: str) -> bool:
-    return any(isinstance(e, Joint) and e.role == role for e in _expressions(program))
+def _task_text(module: SolverModule) -> str:
+    task = module.chain.task
+    match task.kind:
+        case TaskKind.POSE:
+            return "Every entry of a pose counts."
+        case TaskKind.POSITION:
+            meant = "the position T[0:3, 3]"
+        case TaskKind.ORIENTATION:
+            meant = "the orientation T[0:3, 0:3]"
+        case TaskKind.POINTING:
+            meant = "the position T[0:3, 3] and the tool's z axis T[0:3, 2]"
+        case TaskKind.COORDINATES:
+            meant = " and ".join(f"{name} = T[{'xyz'.index(name)}, 3]" for name in task.coordinates)
+    return f"Of a pose, {meant} counts; other entries are ignored."

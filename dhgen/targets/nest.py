@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Guard, Heading, Let
+from dhgen.program.ir import Guard, Heading, Let, Roots
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Axis, Program
@@ -16,30 +16,31 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """The two values of a sign.
+    """The values of an axis: a sign's two, or the roots of a polynomial.
 
     Attributes:
-        axis: The sign.
+        axis: The axis.
         place: Its number, from 0.
-        stride: How many rows lie between its two values.
+        is_sign: Whether it is a sign.
         body: What is done for each value.
     """
 
     axis: Axis
     place: int
-    stride: int
+    is_sign: bool
     body: tuple[Nested, ...]
 
 
-Nested = Let | Guard | Heading | Loop
+Nested = Let | Guard | Roots | Heading | Loop
 
 
 def nest(program: Program) -> tuple[Nested, ...]:
     """The program's statements, loop by loop."""
-    return _level(program, 0)
+    return _level(program, 0, set())
 
 
-def _level(program: Program, depth: int) -> tuple[Nested, ...]:
+def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ...]:
+    """One loop's body; headings that were told in full before are told in short."""
     body: list[Nested] = []
     heading: Heading | None = None
     shown: Heading | None = None
@@ -48,14 +49,16 @@ def _level(program: Program, depth: int) -> tuple[Nested, ...]:
             heading = statement
         elif _depth(statement) == depth:
             if heading is not None and heading != shown:
-                body.append(heading)
+                body.append(Heading(heading.text) if heading in told else heading)
+                told.add(heading)
                 shown = heading
             body.append(statement)
     if depth < len(program.axes):
-        stride = 2 ** (len(program.axes) - depth - 1)
-        body.append(Loop(program.axes[depth], depth, stride, _level(program, depth + 1)))
+        polynomials = {s.axis for s in program.body if isinstance(s, Roots)}
+        inner = _level(program, depth + 1, told)
+        body.append(Loop(program.axes[depth], depth, depth not in polynomials, inner))
     return tuple(body)
 
 
-def _depth(statement: Let | Guard) -> int:
+def _depth(statement: Let | Guard | Roots) -> int:
     return max(statement.axes, default=-1) + 1

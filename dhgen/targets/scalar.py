@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING, Protocol
 
-from dhgen.program.ir import Apply, Failure, Guard, Heading, Let, Variable
+from dhgen.program.ir import Apply, Failure, Guard, Heading, Let, Pose, Roots, Variable
 from dhgen.targets.dialect import Dialect, expression_text
+from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.nest import Loop, nest
+from dhgen.targets.walk import expressions
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import Expression, NamedConstant, Program
+    from dhgen.program.ir import Axis, Expression, Program
     from dhgen.targets.nest import Nested
-
-WIDTH = 100
 
 
 class ScalarLanguage(Dialect, Protocol):
@@ -27,12 +26,16 @@ class ScalarLanguage(Dialect, Protocol):
         """A value gets its name."""
         ...
 
-    def leave(self, condition: str, depth: int, losses: list[str]) -> list[str]:
+    def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
         """Ends this branch where the condition holds, after noting what was lost."""
         ...
 
     def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
         """Notes that a row was lost after a joint was chosen."""
+        ...
+
+    def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
+        """Finds the roots of a polynomial."""
         ...
 
     def open_loop(self, loop: Loop) -> list[str]:
@@ -68,14 +71,28 @@ def output_texts(program: Program, language: ScalarLanguage) -> list[str]:
     return [expression_text(output, language) for output in program.outputs]
 
 
+def pose_entries(program: Program) -> list[Pose]:
+    """The entries of the pose that a program reads, row by row."""
+    found = {each for each in expressions(program) if isinstance(each, Pose)}
+    return sorted(found, key=lambda entry: (entry.row, entry.column))
+
+
 def row_text(program: Program, depth: int) -> str:
     """The number of the first row of the branches at this depth."""
-    axes = len(program.axes)
+    axes = range(len(program.axes))
+    strides = [program.combinations(axes[place + 1 :]) for place in range(depth)]
     terms = [
-        f"{2 ** (axes - place - 1)} * i{place + 1}" if place < axes - 1 else f"i{place + 1}"
-        for place in range(depth)
+        f"{stride} * i{place + 1}" if stride > 1 else f"i{place + 1}"
+        for place, stride in enumerate(strides)
     ]
     return " + ".join(terms) or "0"
+
+
+_REASONS = {
+    Failure.REACH: "out of reach",
+    Failure.MERGED: "both signs give the same",
+    Failure.INCONSISTENT: "the arm can't take this pose",
+}
 
 
 class _Printer:
@@ -87,24 +104,30 @@ class _Printer:
     def lines(self, nodes: tuple[Nested, ...], depth: int, indent: str) -> list[str]:
         lines = [line for node in nodes for line in self.node(node, depth, indent)]
         if depth == len(self._program.axes):
-            lines += _indented(self._language.store(self._program), indent)
+            for line in _indented(self._language.store(self._program), indent):
+                fits = len(line) <= WIDTH
+                lines += [line] if fits else self._language.broken(line, indent)
+        while lines and not lines[0]:
+            lines = lines[1:]
         return lines
 
     def node(self, node: Nested, depth: int, indent: str) -> list[str]:
         language = self._language
         match node:
-            case Heading(text):
-                return ["", indent + language.comment(text)]
+            case Heading(text, detail):
+                return ["", indent + language.comment(f"{text}, {detail}" if detail else text)]
             case Let(name, expression, _, truth):
                 value = expression_text(expression, language)
                 line = indent + language.let(name, value, truth=truth)
                 return [line] if len(line) <= WIDTH else language.broken(line, indent)
+            case Roots(axis, coefficients):
+                texts = [expression_text(each, language) for each in coefficients]
+                lines = _indented(language.roots(self._program.axes[axis], texts), indent)
+                return [part for line in lines for part in wrapped(line, indent)]
             case Guard():
                 return _indented(self._guard(node, depth), indent)
             case Loop(body=body):
                 inner = self.lines(body, depth + 1, indent + "    ")
-                while inner and not inner[0]:
-                    inner = inner[1:]
                 head = _indented(language.open_loop(node), indent)
                 return ["", *head, *inner, *_indented(language.close_loop(), indent)]
 
@@ -121,7 +144,7 @@ class _Printer:
             margin = expression_text(guard.margin, language)
             losses = language.lose(flags, row_text(self._program, depth), margin)
         condition = expression_text(self._denied(guard.condition), language)
-        return language.leave(condition, depth, losses)
+        return language.leave(condition, _REASONS[guard.failure], depth, losses)
 
     def _denied(self, condition: Expression) -> Expression:
         """The opposite of a truth value, without a `not` before a comparison of signs."""
@@ -155,25 +178,3 @@ def _flag_parts(program: Program, flag: str) -> set[str]:
 
 def _indented(lines: list[str], indent: str) -> list[str]:
     return [indent + line if line else "" for line in lines]
-
-
-def wrapped(line: str, indent: str, hanging: str = "    ") -> list[str]:
-    """A line broken at spaces."""
-    return textwrap.wrap(
-        line,
-        WIDTH,
-        initial_indent="",
-        subsequent_indent=indent + hanging,
-        break_long_words=False,
-        break_on_hyphens=False,
-        drop_whitespace=True,
-    )
-
-
-def merged_constants(*programs: Program) -> tuple[NamedConstant, ...]:
-    """The constants of several programs, each once."""
-    merged: dict[str, NamedConstant] = {}
-    for program in programs:
-        for constant in program.constants:
-            merged.setdefault(constant.name, constant)
-    return tuple(merged.values())

@@ -56,9 +56,13 @@ def cost_section(story: Story) -> list[Block]:
     header = ("", "additions", "multiplications", "divisions", "square roots", "atan2", "sin, cos")
     label = "the solution" if rows == 1 else f"all {rows} rows"
     numbers = (
-        count.additions, count.multiplications, count.divisions, count.square_roots,
-        count.arctangents, count.sines_cosines,
-    )  # fmt: skip
+        count.additions,
+        count.multiplications,
+        count.divisions,
+        count.square_roots,
+        count.arctangents,
+        count.sines_cosines,
+    )
     blocks: list[Block] = [
         Heading(2, say("Cost")),
         Table(

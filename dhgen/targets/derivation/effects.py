@@ -19,8 +19,9 @@ def merged_effect(context: StepContext) -> Prose:
     return say(
         "both signs give the same solution; it stands in the rows with {}, and those with {} stay "
         "empty",
-        equal(context.sign, ONE), equal(context.sign, minus(ONE)),
-    )  # fmt: skip
+        equal(context.sign, ONE),
+        equal(context.sign, minus(ONE)),
+    )
 
 
 def free_effect(context: StepContext) -> Prose:

@@ -218,9 +218,8 @@ def over(above: Formula, below: Formula) -> Formula:
         return minus(over(above.operand, below))
     if isinstance(below, Minus):
         return over(minus(above), below.operand)
-    if isinstance(above, Product) and isinstance(above.factors[0], Quotient):
-        first, *others = above.factors
-        return over(times(first.over, *others), times(first.under, below))
+    if isinstance(above, Product) and isinstance(first := above.factors[0], Quotient):
+        return over(times(first.over, *above.factors[1:]), times(first.under, below))
     if isinstance(above, Quotient):
         return over(above.over, times(above.under, below))
     if isinstance(above, Number) and above.value.denominator != 1:
@@ -246,7 +245,9 @@ def root(operand: Formula) -> Formula:
     """A square root; that of one square is its absolute value."""
     if operand in (ZERO, ONE):
         return operand
-    return Size(operand.base) if isinstance(operand, Power) and operand.exponent == 2 else Root(operand)
+    if isinstance(operand, Power) and operand.exponent == 2:
+        return Size(operand.base)
+    return Root(operand)
 
 
 def equal(*sides: Formula) -> Relation:

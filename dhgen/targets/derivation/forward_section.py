@@ -121,9 +121,12 @@ def _tool(story: Story) -> list[Block]:
         for name, transform in ((BASE, base), (TOOL, tool))
         if transform != still
     ]
-    whole = compose(compose(base, forward_of(algebra, story.dof), algebra.normal), tool, algebra.normal)
-    frames = "With the base frame {} and the tool frame {}" if len(given) == 2 else (
-        "With the base frame {}" if base != still else "With the tool frame {}"
+    whole = compose(base, forward_of(algebra, story.dof), algebra.normal)
+    whole = compose(whole, tool, algebra.normal)
+    frames = (
+        "With the base frame {} and the tool frame {}"
+        if len(given) == 2
+        else ("With the base frame {}" if base != still else "With the tool frame {}")
     )
     names = [name for name, transform in ((BASE, base), (TOOL, tool)) if transform != still]
     return [
@@ -147,10 +150,11 @@ def _relations(story: Story) -> list[Block]:
     if not found:
         return []
     text = (
-        "Whatever the joints do, some entries of {} are constant or repeat others; a pose that breaks "
-        "these relations is out of the arm's reach:"
+        "Whatever the joints do, some entries of {} are constant or repeat others; a pose that "
+        "breaks these relations is out of the arm's reach:"
     )
-    return [paragraph(text, equal(Symbol("U_0", "U₀"), Symbol("(t_{ij})", "(tᵢⱼ)"))), display(Listing(tuple(found)))]
+    given = equal(Symbol("U_0", "U₀"), Symbol("(t_{ij})", "(tᵢⱼ)"))
+    return [paragraph(text, given), display(Listing(tuple(found)))]
 
 
 def matrix_of(transform: Transform, write: Callable[[Polynomial], Formula]) -> Matrix:
@@ -165,8 +169,8 @@ def matrix_width(formula: Formula) -> int:
     total = 0
     for side in formula.sides:
         if isinstance(side, Matrix):
-            columns = zip(*side.rows, strict=True)
-            total += sum(max(1 if e is None else width(e) for e in column) + 2 for column in columns)
+            for column in zip(*side.rows, strict=True):
+                total += max(1 if e is None else width(e) for e in column) + 2
         else:
             total += width(side) + 3
     return total

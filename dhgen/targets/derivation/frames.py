@@ -90,7 +90,8 @@ def _wrist(story: Story) -> list[Prose]:
     first, second, third = story.wrist
     text = f"Axes {first}, {second} and {third} meet in one point, the wrist centre: "
     if story.dof == 3:
-        return [say(text + "turning the joints does not move it, and only the orientation changes.")]
+        text += "turning the joints does not move it, and only the orientation changes."
+        return [say(text)]
     return [
         say(
             text + "the wrist is spherical. Turning its joints does not move that point, so its "
@@ -106,7 +107,8 @@ def _ends(story: Story) -> list[Prose]:
     still = identity(chain.ring)
     found = []
     if chain.base != still:
-        found.append(say("The base of the arm stands at {} in the caller's frame.", Symbol("Z", "Z")))
+        text = "The base of the arm stands at {} in the caller's frame."
+        found.append(say(text, Symbol("Z", "Z")))
     if chain.tool != still:
         found.append(say("The tool stands at {} in the last frame.", Symbol("E", "E")))
     return [sentences(found)] if found else []

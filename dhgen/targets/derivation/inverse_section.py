@@ -55,7 +55,8 @@ def _given(story: Story) -> list[Block]:
     method = say(
         "Paul's method multiplies both sides of {} by {}, {} and so on from the left, {}, until an "
         "element holds one unknown or is of one of the types of document 003.",
-        equal(target(0), Symbol(r"A_1 \cdots A_n", "A₁⋯Aₙ")), inverse_name(link(1)),
+        equal(target(0), Symbol(r"A_1 \cdots A_n", "A₁⋯Aₙ")),
+        inverse_name(link(1)),
         inverse_name(link(2)),
         equal(Symbol("U_i", "Uᵢ"), Symbol(r"A_i^{-1} U_{i-1}", "Aᵢ⁻¹ Uᵢ₋₁")),
     )
@@ -64,7 +65,9 @@ def _given(story: Story) -> list[Block]:
     if len(named) < 12:
         which = say(" Of its entries the task gives {}.", _named(story))
     blocks: list[Block] = [
-        paragraph("The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method)
+        paragraph(
+            "The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method
+        )
     ]
     if left or right:
         blocks += _entries(story, left=left, right=right)
@@ -75,7 +78,8 @@ def _named(story: Story) -> Prose:
     """The entries of U_0 that the task gives, without those that repeat others."""
     if story.algebra.chain.task.kind is TaskKind.ORIENTATION:
         return say("the nine of the rotation")
-    return say("{}", Listing(tuple(story.letters[n] for n in sorted(story.derivation.problem.known))))
+    known = sorted(story.derivation.problem.known)
+    return say("{}", Listing(tuple(story.letters[name] for name in known)))
 
 
 def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
@@ -85,9 +89,11 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
     entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
     given = Transform(tuple(tuple(row[:3]) for row in entry), tuple(row[3] for row in entry))
     if left:
-        given = compose(inverse(algebra.lift(algebra.chain.base), algebra.normal), given, algebra.normal)
+        back = inverse(algebra.lift(algebra.chain.base), algebra.normal)
+        given = compose(back, given, algebra.normal)
     if right:
-        given = compose(given, inverse(algebra.lift(algebra.chain.tool), algebra.normal), algebra.normal)
+        back = inverse(algebra.lift(algebra.chain.tool), algebra.normal)
+        given = compose(given, back, algebra.normal)
     letters = dict(story.letters)
     for i in range(1, 4):
         for j in range(1, 5):
@@ -97,7 +103,8 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
         equal(story.letters[name], writer.write(given.entry(int(name[1]) - 1, int(name[2]) - 1)))
         for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
     ]
-    return [paragraph("With {} its entries are", equal(POSE, Symbol("(p_{ij})", "(pᵢⱼ)"))), display(*shown)]
+    entries = equal(POSE, Symbol("(p_{ij})", "(pᵢⱼ)"))
+    return [paragraph("With {} its entries are", entries), display(*shown)]
 
 
 def _stay(story: Story) -> list[Block]:
@@ -113,8 +120,8 @@ def _stay(story: Story) -> list[Block]:
     if not stays:
         return []
     text = (
-        "The task gives only a part of the pose; moving a constant frame to the other side would mix "
-        "that part with the rest, so it stays where it is: in this section {}."
+        "The task gives only a part of the pose; moving a constant frame to the other side would "
+        "mix that part with the rest, so it stays where it is: in this section {}."
     )
     return [paragraph(text, joined(stays))]
 
@@ -144,16 +151,15 @@ def _point(story: Story, point: Point) -> list[Block]:
     turn = "does" if k + 1 == story.dof else "do"
     assert story.wrist is not None or not story.is_wrist_frame(k)
     if story.wrist is not None and story.is_wrist_frame(k):
-        first = (
-            "The wrist centre {} is the origin of frame {}, where the axes {}, {} and {} meet"
-        )
+        first = "The wrist centre {} is the origin of frame {}, where the axes {}, {} and {} meet"
         three = [Given(str(joint)) for joint in story.wrist]
         head = say(first, Symbol("w", "w"), Given(str(k)), *three)
     else:
-        head = say("The pose gives a second point {}, the origin of frame {}", Symbol("w", "w"), Given(str(k)))
+        text = "The pose gives a second point {}, the origin of frame {}"
+        head = say(text, Symbol("w", "w"), Given(str(k)))
     text = (
-        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its place follows from "
-        "the pose alone,"
+        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its place follows "
+        "from the pose alone,"
     )
     entries = [story.write(entry) for entry in point.in_tool]
     shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
@@ -175,7 +181,8 @@ def _matrices(story: Story) -> list[Block]:
             blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, m, k)))
     if not blocks:
         return []
-    return [paragraph("The elements that are used below, and their neighbours in column 4:"), *blocks]
+    text = "The elements that are used below, and their neighbours in column 4:"
+    return [paragraph(text), *blocks]
 
 
 def _form_sentence(story: Story, m: int, k: int) -> Prose:
@@ -187,15 +194,16 @@ def _form_sentence(story: Story, m: int, k: int) -> Prose:
             before = (Product((inverse_name(link(m)), target(m - 1))),)
         return say("{}:", equal(name, *before, middle_name(m, k)))
     moved = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
-    return say(f"{{}} ({moved} moved to the side of {{}}):", equal(name, middle_name(m, k)), target(0))
+    text = f"{{}} ({moved} moved to the side of {{}}):"
+    return say(text, equal(name, middle_name(m, k)), target(0))
 
 
 def _wanted(story: Story, m: int, k: int, origins: list[Origin]) -> list[tuple[int, int]]:
     """The elements to show: used ones, and the whole of column 4 where the task gives it."""
     form = story.form(m, k)
-    withheld = {
-        story.algebra.index[f"t{i}{j}"] for i in (1, 2, 3) for j in (1, 2, 3, 4)
-    } - {story.algebra.index[name] for name in story.derivation.problem.known}
+    withheld = {story.algebra.index[f"t{i}{j}"] for i in (1, 2, 3) for j in (1, 2, 3, 4)} - {
+        story.algebra.index[name] for name in story.derivation.problem.known
+    }
 
     def is_given(polynomial: Polynomial) -> bool:
         return not any(monomial[place] for monomial in polynomial for place in withheld)

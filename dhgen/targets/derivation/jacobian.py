@@ -37,8 +37,10 @@ def jacobian_blocks(story: Story) -> list[Block]:
     blocks: list[Block] = [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
-            "{} and its angular velocity. Its column {} is, for a revolute and for a prismatic joint,",
-            _J, Symbol("o_n", "oₙ"), Symbol("i", "i"),
+            "{} and its angular velocity. Its column {} is, for a revolute and a prismatic joint,",
+            _J,
+            Symbol("o_n", "oₙ"),
+            Symbol("i", "i"),
         ),
         display(
             Symbol(
@@ -47,8 +49,9 @@ def jacobian_blocks(story: Story) -> list[Block]:
             )
         ),
         paragraph(
-            "where {} and {} are columns 3 and 4 of " + ("{}, and {} is column 4 of {}." ),
-            Symbol(z, zt), Symbol(o, ot),
+            "where {} and {} are columns 3 and 4 of " + ("{}, and {} is column 4 of {}."),
+            Symbol(z, zt),
+            Symbol(o, ot),
             Symbol("T_i^0", "Tᵢ⁰") if own else Symbol("T_{i-1}^0", "Tᵢ₋₁⁰"),
             Symbol("o_n", "oₙ"),
             Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool"),

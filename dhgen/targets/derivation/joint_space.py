@@ -72,7 +72,7 @@ def condition_in_joints(context: StepContext, joints: Polynomial | None) -> Form
 
 
 def unsigned(story: Story, polynomial: Polynomial) -> Formula:
-    """A polynomial or its opposite: what does not begin with a minus sign, in alphabetical order."""
+    """A polynomial or its opposite: without a leading minus, else by alphabet."""
     choices = [story.write_forward(polynomial), story.write_forward(-polynomial)]
     return min(choices, key=lambda each: (leads_negative(each), show(each, PLAIN)))
 
@@ -127,8 +127,12 @@ def point_name(context: StepContext) -> Prose:
             if story.is_wrist_frame(frame):
                 return say("the wrist centre")
             return say("the origin of frame {}", Given(str(frame)))
-    later = [f"{kind}{a.suffix}" for a in story.algebra.angles for kind in "cs"
-             if a.terms[-1][0] > max(joint for joint, _ in context.angle.terms) + 1]
+    later = [
+        f"{kind}{a.suffix}"
+        for a in story.algebra.angles
+        for kind in "cs"
+        if a.terms[-1][0] > max(joint for joint, _ in context.angle.terms) + 1
+    ]
     if set(later) & set(used):
         return say("the far end of the two links")
     if story.wrist is not None:

@@ -12,7 +12,8 @@ from dhgen.targets.derivation.blocks import Paragraph, display, paragraph, say
 from dhgen.targets.derivation.expressions import expression_symbol
 from dhgen.targets.derivation.formula import Formula, Symbol, add, equal, minus
 from dhgen.targets.derivation.names import joint_symbol, letter, single, theta
-from dhgen.targets.derivation.tables import sign_and_offset
+from dhgen.targets.derivation.tables import joints_of, sign_and_offset
+from dhgen.targets.derivation.words import counted, numeral
 
 if TYPE_CHECKING:
     from dhgen.paul.knowledge import Cut
@@ -45,7 +46,7 @@ def _sums(story: Story) -> list[Formula]:
     """theta_4 = theta_234 - theta_3 - theta_2, for joints that no step gives by themselves."""
     solved = [u for step in story.steps for u in step.unknowns if isinstance(u, AngleSum)]
     solved += [single(joint) for joint in story.algebra.chain.free if joint in _turning(story)]
-    lines = []
+    lines: list[Formula] = []
     for joint in _turning(story):
         if single(joint) in solved:
             continue
@@ -87,7 +88,7 @@ def path_of(story: Story, joint: int, solved: list[AngleSum]) -> list[tuple[Angl
 def _variables(story: Story) -> list[Formula]:
     """q_i by theta_i or r_i, where they differ."""
     lines: list[Formula] = []
-    for number, joint in enumerate(story.robot.joints, start=1):
+    for number, joint in enumerate(joints_of(story), start=1):
         turning = joint.kind is JointKind.REVOLUTE
         inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
         sign, offset = sign_and_offset(story, number)
@@ -119,8 +120,7 @@ def _check(story: Story) -> Block:
     chain = story.algebra.chain
     asked, own = task_dimension(chain.task), chain.dof - len(chain.free)
     return paragraph(
-        f"The task has {asked} independent numbers and the arm {own} joint{'s' * (own != 1)} to choose, "
-        "so not every pose "
-        "can be taken. Each solution is put into the forward model; if an entry differs from the given "
-        "one, the pose is none that this arm can take and the row stays empty."
+        f"The task has {numeral(asked)} independent numbers, the arm {counted(own, 'joint')}, so "
+        "not every pose can be taken. Each solution is put into the forward model; where an entry "
+        "differs from the given one, the arm cannot take the pose and the row stays empty."
     )

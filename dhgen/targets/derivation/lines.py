@@ -28,7 +28,7 @@ def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
     """The lines of a formula, each as what stands left and right of the point of alignment."""
     if not isinstance(formula, Relation):
         return [("", line) for line in filled(formula, style, WIDTH)]
-    first, *others = formula.sides
+    first = formula.sides[0]
     left = show(first, style)
     start = width(first) + 3
     if start > WIDTH // 2:
@@ -88,8 +88,10 @@ def _pieces(formula: Formula, style: Style) -> list[str]:
                 return [show(formula, style)]
             return [style.minus + first, *rest]
         case Product(factors) if isinstance(factors[-1], Sum) and not is_tall(factors[-1]):
-            before = " ".join(show(f, style) if not isinstance(f, Sum) else f"({show(f, style)})"
-                              for f in factors[:-1])
+            before = " ".join(
+                show(f, style) if not isinstance(f, Sum) else f"({show(f, style)})"
+                for f in factors[:-1]
+            )
             first, *rest = _pieces(factors[-1], style)
             parts = [f"{before} ({first}", *rest]
             parts[-1] += ")"

@@ -1,6 +1,7 @@
 """The matrices of a derivation: A_i, T_i^0, and both sides of every mixed form of U_0.
 
-A mixed form is (A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k; with k = n it is Paul's U_m.
+A mixed form is (A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k; with k = n it is Paul's
+U_m.
 """
 
 from __future__ import annotations

@@ -26,12 +26,16 @@ _MADE = re.compile(r"([ezhup])(\d*[xyz]|\d\d)")  # numbers of frames and axes wi
 _PARTS = re.compile(r"([A-Za-z]+)_?(\d*)")
 
 
+_TAKEN = frozenset("ABCEJKPQRTUVWXYZcqrstw")  # letters that formulas use for other things
+
+
 def letter(latex: str, text: str, index: str = "", name: str = "") -> Symbol:
     """A letter with an index of digits and signs."""
     if not index:
         return Symbol(latex, text, name)
     below = index if len(index) == 1 else f"{{{index}}}"
-    plain = f"{text}_{index}" if any(c.isalpha() for c in index) else text + index.translate(_SUBSCRIPTS)
+    spoken = any(c.isalpha() for c in index)
+    plain = f"{text}_{index}" if spoken else text + index.translate(_SUBSCRIPTS)
     return Symbol(f"{latex}_{below}", plain, name)
 
 
@@ -40,7 +44,7 @@ def parameter(name: str) -> Symbol:
     match = _PARTS.fullmatch(name)
     if match is not None:
         base, index = match.groups()
-        if len(base) == 1:
+        if len(base) == 1 and base not in _TAKEN:
             return letter(base, base, index, name)
         if base in _GREEK:
             return letter(f"\\{base}", _GREEK[base], index, name)

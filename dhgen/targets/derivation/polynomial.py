@@ -68,9 +68,7 @@ class Writer:
             above = self._divided(factor, monomial, body)
         return minus(above) if factor < 0 else above
 
-    def _divided(
-        self, factor: Fraction, monomial: tuple[Formula, ...], body: Formula
-    ) -> Formula:
+    def _divided(self, factor: Fraction, monomial: tuple[Formula, ...], body: Formula) -> Formula:
         """A monomial with a fraction in front; roots of numbers belong to the fraction."""
         table = self._letters()
         roots = {table[c.name] for c in self.algebra.chain.constants if c.square is not None}

@@ -43,7 +43,8 @@ def content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
 
 def split(polynomial: Polynomial, places: frozenset[int]) -> tuple[Polynomial, Polynomial]:
     """The terms with any of these generators, and the others."""
-    inside, outside = {}, {}
+    inside: dict[tuple[int, ...], object] = {}
+    outside: dict[tuple[int, ...], object] = {}
     for monomial, coefficient in polynomial.terms():
         part = inside if any(monomial[place] for place in places) else outside
         part[monomial] = coefficient

@@ -84,5 +84,3 @@ def _solutions(story: Story) -> str:
         f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "
         "branch signs of every row."
     )
-
-

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Form
     from dhgen.paul.pool import Origin
     from dhgen.paul.step import Step
-    from dhgen.targets.derivation.formula import Relation
     from dhgen.targets.derivation.blocks import Block, Prose
+    from dhgen.targets.derivation.formula import Relation
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
 
@@ -39,7 +39,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
 def _lead(context: StepContext) -> Prose:
     step = context.step
     count = numeral(step.roots)
-    values = f"{count} value{'' if step.roots == 1 else 's'}"
+    values = f"{'up to ' * (step.roots > 2)}{count} value{'' if step.roots == 1 else 's'}"
     names = joined([say("{}", unknown_symbol(unknown)) for unknown in step.unknowns])
     other = document_002_number(context)
     also = f" (document 002: type {other})" if other else ""
@@ -91,9 +91,7 @@ def element_of(origin: Origin) -> Formula:
         return Element(name, origin.row, origin.column)
     from dhgen.targets.derivation.style import LATEX, PLAIN, show  # noqa: PLC0415
 
-    return Symbol(
-        rf"\lVert {show(name, LATEX)}[\cdot,4] \rVert^2", f"‖{show(name, PLAIN)}[·,4]‖²"
-    )
+    return Symbol(rf"\lVert {show(name, LATEX)}[\cdot,4] \rVert^2", f"‖{show(name, PLAIN)}[·,4]‖²")
 
 
 def quoted(story: Story, number: int) -> list[Relation]:

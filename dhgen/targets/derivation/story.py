@@ -1,4 +1,4 @@
-"""What every section of a derivation draws from: the arm, its steps, and how polynomials are written."""
+"""What every section draws from: the arm, its steps, and how polynomials are written."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.geometry import wrist_joints
 from dhgen.targets.derivation.formula import ONE
+from dhgen.targets.derivation.geometry import wrist_joints
 from dhgen.targets.derivation.matrices import form_of, steps_back
 from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
 from dhgen.targets.derivation.polynomial import Writer
@@ -122,7 +123,8 @@ class Story:
         first = {a.cosine: -a.terms[0][0] for a in self.algebra.angles}
         first |= {a.sine: -a.terms[0][0] for a in self.algebra.angles}
         first |= {name: -joint for joint, name in self.algebra.slides.items()}
-        return Writer(self.algebra, lambda name: first.get(name, 0), {}, self.letters).write(polynomial)
+        writer = Writer(self.algebra, lambda name: first.get(name, 0), {}, self.letters)
+        return writer.write(polynomial)
 
     @cached_property
     def quotes(self) -> tuple[tuple[Quote, ...], ...]:
@@ -150,8 +152,9 @@ class Story:
         form = step.coefficient("Y") * s - step.coefficient("X") * c
         form *= self.quotes[number - 1][0].facing
         facing = -1 if leads_negative(self.write(form)) else 1
-        letter_ = letter("D", "D", joint_index(angle))
-        return Remembered(number, form * facing, letter_, facing)
+        used = {self.letters[constant.name].text[0] for constant in self.algebra.chain.constants}
+        base = next(each for each in "DFGHM" if each not in used)
+        return Remembered(number, form * facing, letter(base, base, joint_index(angle)), facing)
 
     def sign_of(self, step: int) -> Formula:
         """The branch sign that a step brings in; 1 when it has one value."""
@@ -187,17 +190,10 @@ class Story:
 
     @cached_property
     def branch_names(self) -> tuple[str, ...]:
-        """A name for every row: the words of its signs, or the signs themselves."""
-        names = [""]
-        for axis in self.program.axes:
-            plus, minus = axis.meaning
-            words = ("+", "−") if (plus, minus) == ("+", "-") else (plus, minus)
-            joint = "" if words == ("+", "−") else "-"
-            names = [name + (joint if name else "") + word for name in names for word in words]
-        return tuple(names)
+        """A name for every row."""
+        return branch_labels(tuple(axis.meaning for axis in self.program.axes))
 
     @property
     def has_branch_words(self) -> bool:
         """Whether the branches have names in words."""
         return any(axis.meaning != ("+", "-") for axis in self.program.axes)
-

@@ -38,8 +38,15 @@ _PLAIN_SIGNS = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "in": "∈"}
 class Style(Protocol):
     """How the parts of a formula look; all operands are printed already."""
 
-    minus: str
-    comma: str
+    @property
+    def minus(self) -> str:
+        """The sign."""
+        ...
+
+    @property
+    def comma(self) -> str:
+        """What stands between formulas side by side."""
+        ...
 
     def symbol(self, symbol: Symbol) -> str:
         """A letter with its index."""
@@ -177,16 +184,24 @@ def show(formula: Formula, style: Style) -> str:
     match formula:
         case Symbol():
             return style.symbol(formula)
-        case Number(value):
-            if value.denominator == 1:
-                return str(value)
-            return style.quotient(str(value.numerator), str(value.denominator))
         case Minus(operand):
             return style.minus + show_factor(operand, style)
         case Sum(terms):
             return "".join(signed_terms(terms, style))
         case Product(factors):
             return " ".join(show_factor(factor, style) for factor in factors)
+        case Number() | Power() | Quotient() | Root() | Size():
+            return _show_unit(formula, style)
+        case _:
+            return _show_group(formula, style)
+
+
+def _show_unit(formula: Number | Power | Quotient | Root | Size, style: Style) -> str:
+    match formula:
+        case Number(value) if value.denominator == 1:
+            return str(value)
+        case Number(value):
+            return style.quotient(str(value.numerator), str(value.denominator))
         case Power(base, exponent):
             return style.power(_base(base, style), exponent)
         case Quotient(above, below):
@@ -195,15 +210,9 @@ def show(formula: Formula, style: Style) -> str:
             return style.root(show(operand, style))
         case Size(operand):
             return style.size(show(operand, style))
-        case Element(matrix, row, column):
-            name = show(matrix, style)
-            name = name if isinstance(matrix, Symbol) else style.enclosed(name, tall=False)
-            return f"{name}[{row},{column}]"
-        case _:
-            return _show_group(formula, style)
 
 
-def _show_group(formula: Call | Relation | Listing | Matrix, style: Style) -> str:
+def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: Style) -> str:
     match formula:
         case Call(function, arguments):
             inside = ", ".join(show(argument, style) for argument in arguments)
@@ -218,6 +227,10 @@ def _show_group(formula: Call | Relation | Listing | Matrix, style: Style) -> st
             return style.comma.join(show(item, style) for item in items)
         case Matrix(rows):
             return style.matrix([[show_entry(entry, style) for entry in row] for row in rows])
+        case Element(matrix, row, column):
+            name = show(matrix, style)
+            name = name if isinstance(matrix, Symbol) else style.enclosed(name, tall=False)
+            return f"{name}[{row},{column}]"
 
 
 def show_entry(entry: Formula | None, style: Style) -> str:

@@ -31,13 +31,19 @@ _BEFORE, _OWN, _AFTER = (
 )
 _I = Symbol("i", "i")
 _TEXT = (
-    "{} convention: {}. Joint {} turns about {} or slides along it; {} points along the common normal "
-    "of {} and {}."
+    "{} convention: {}. Joint {} turns about {} or slides along it; {} points along the common "
+    "normal of {} and {}."
 )
 _AXES_TEXT = (
     "The axes are given in the reference position, where every {} is zero, in the base frame "
-    "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} takes "
-    "frame {} to frame {}."
+    "(document 001). Frame {} moves with joint {} and has its {} axis along the joint's axis; {} "
+    "takes frame {} to frame {}."
+)
+_ANGLE_TEXT = "In the formulas {} is the angle of joint {}: {}{}."
+_LENGTH_TEXT = "In the formulas {} is the length of joint {}: {}."
+_BOTH_TEXT = (
+    "In the formulas {} is the angle of a revolute joint and {} the length of a prismatic "
+    "one: {}{}."
 )
 
 
@@ -56,11 +62,16 @@ def table_blocks(story: Story) -> list[Block]:
     return [
         Table(tuple(header), tuple(rows)),
         paragraph(
-            _TEXT, say("Standard" if standard else "Modified"), _CONVENTIONS[geometry.convention],
-            _I, axes[0], Symbol("x_i", "xᵢ"), *axes,
+            _TEXT,
+            say("Standard" if standard else "Modified"),
+            _CONVENTIONS[geometry.convention],
+            _I,
+            axes[0],
+            Symbol("x_i", "xᵢ"),
+            *axes,
         ),
         _variables(story),
-    ]  # fmt: skip
+    ]
 
 
 def axes_blocks(story: Story) -> list[Block]:
@@ -109,7 +120,7 @@ def _variables(story: Story) -> Block:
     angle, slide, q = Symbol(r"\theta_i", "θᵢ"), Symbol("r_i", "rᵢ"), Symbol("q_i", "qᵢ")
     changed: list[Prose] = []
     turning = plain = 0
-    for number, joint in enumerate(story.robot.joints, start=1):
+    for number, joint in enumerate(joints_of(story), start=1):
         revolute = joint.kind is JointKind.REVOLUTE
         turning += revolute
         inner = theta(single(number)) if revolute else letter("r", "r", str(number))
@@ -119,20 +130,24 @@ def _variables(story: Story) -> Block:
         else:
             changed.append(say("{}", equal(inner, outer)))
     if not changed:
-        return paragraph("In the formulas {} is the angle of joint {}: {}.", angle, _I, equal(angle, q))
+        return paragraph(_ANGLE_TEXT, angle, _I, equal(angle, q), say(""))
     listed = joined(changed)
     if not turning:
-        return paragraph("In the formulas {} is the length of joint {}: {}.", slide, _I, listed)
+        return paragraph(_LENGTH_TEXT, slide, _I, listed)
     rest = say(", otherwise {}", equal(angle, q)) if plain else say("")
     if turning == len(story.robot.joints):
-        return paragraph("In the formulas {} is the angle of joint {}: {}{}.", angle, _I, listed, rest)
-    text = "In the formulas {} is the angle of a revolute joint and {} the length of a prismatic one: {}{}."
-    return paragraph(text, angle, slide, listed, rest)
+        return paragraph(_ANGLE_TEXT, angle, _I, listed, rest)
+    return paragraph(_BOTH_TEXT, angle, slide, listed, rest)
+
+
+def joints_of(story: Story) -> tuple[DhRow | AxisJoint, ...]:
+    """The joints as the user wrote them."""
+    return tuple(story.robot.joints)
 
 
 def sign_and_offset(story: Story, number: int) -> tuple[int, Expression]:
     """What a joint's angle or length is for its variable: sign and what is added."""
-    joint = story.robot.joints[number - 1]
+    joint: DhRow | AxisJoint = story.robot.joints[number - 1]
     sign = story.algebra.chain.joints[number - 1].sign
     if not isinstance(joint, DhRow):
         return sign, ZERO

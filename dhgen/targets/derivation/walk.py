@@ -25,8 +25,10 @@ def parts_of(formula: Formula) -> tuple[Formula, ...]:
         value = getattr(formula, field.name)
         if isinstance(value, tuple):
             for each in value:
-                found += [p for p in each if p is not None] if isinstance(each, tuple) else (
-                    [] if isinstance(each, str) else [each]
+                found += (
+                    [p for p in each if p is not None]
+                    if isinstance(each, tuple)
+                    else ([] if isinstance(each, str) else [each])
                 )
         elif not isinstance(value, int | str):
             found.append(value)

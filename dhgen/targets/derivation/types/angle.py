@@ -74,10 +74,13 @@ def _homogeneous(context: StepContext) -> StepText:
         *_letters(context, ZERO, "XY"),
         paragraph(
             "{} and {} are proportional to {} and {}, with either sign:",
-            sine(context.angle), cosine(context.angle), Y, minus(X),
+            sine(context.angle),
+            cosine(context.angle),
+            Y,
+            minus(X),
         ),
         display(equal(theta(context.angle), general, special)),
-    ]  # fmt: skip
+    ]
     remembered = context.remembered
     if remembered is not None:
         s, c = sine(context.angle), cosine(context.angle)
@@ -87,8 +90,10 @@ def _homogeneous(context: StepContext) -> StepText:
     blocks.append(
         paragraph(
             "There always is a solution. Degenerate when {}: {}. Then {}.",
-            free.condition, free.meaning, free.effect,
-        )  # fmt: skip
+            free.condition,
+            free.meaning,
+            free.effect,
+        )
     )
     return StepText(tuple(blocks), (free,))
 
@@ -145,8 +150,11 @@ def _single(context: StepContext) -> StepText:
         display(*lines),
         paragraph(
             "No solution when {}. The two solutions meet when {}: {}. Then {}.",
-            relation(square(given), ">", ONE), meets, met.meaning, met.effect,
-        ),  # fmt: skip
+            relation(square(given), ">", ONE),
+            meets,
+            met.meaning,
+            met.effect,
+        ),
     )
     return StepText(blocks, (met,))
 
@@ -160,8 +168,10 @@ def _general(context: StepContext) -> StepText:
         *_letters(context, Z, "XYZ"),
         paragraph(
             "The squares of {} and {} add up to {}, so the second is known but for its sign,",
-            add(times(X, s), times(Y, c)), subtract(times(Y, s), times(X, c)), SQUARES,
-        ),  # fmt: skip
+            add(times(X, s), times(Y, c)),
+            subtract(times(Y, s), times(X, c)),
+            SQUARES,
+        ),
         display(_combination(context, remembered, radicand)),
         paragraph("and both together give {} and {}, each times {}:", s, c, SQUARES),
         display(
@@ -181,8 +191,11 @@ def _general(context: StepContext) -> StepText:
     blocks.append(
         paragraph(
             "No solution when {}. The two solutions meet when {}: {}. Then {}.",
-            relation(SQUARES, "<", square(Z)), met.condition, met.meaning, met.effect,
-        )  # fmt: skip
+            relation(SQUARES, "<", square(Z)),
+            met.condition,
+            met.meaning,
+            met.effect,
+        )
     )
     if context.is_constant("X", "Y") or context.is_constant("Z"):
         return StepText(tuple(blocks), (met,))

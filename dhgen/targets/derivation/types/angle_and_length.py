@@ -45,8 +45,13 @@ def print_angle_and_length(context: StepContext) -> StepText:
         merged_effect(context),
     )
     blocks = (
-        paragraph("Divided by the factors of {} and {} they are {} and {} with",
-                  s, c, equal(s, s_value), equal(c, c_value)),
+        paragraph(
+            "Divided by the factors of {} and {} they are {} and {} with",
+            s,
+            c,
+            equal(s, s_value),
+            equal(c, c_value),
+        ),
         display(*_quotients(context)),
         paragraph("The squares add up to 1, a quadratic equation in {}: {} with", r, quadratic),
         display(*_letters()),
@@ -56,11 +61,14 @@ def print_angle_and_length(context: StepContext) -> StepText:
             equal(theta(context.angle), atan2(s_value, c_value)),
         ),
         paragraph(
-            "No solution when {}: the point is farther from the slide than the link reaches. The two "
-            "solutions meet when {}: {}. Then {}.",
-            relation(D, "<", ZERO), met.condition, met.meaning, met.effect,
+            "No solution when {}: the point is farther from the slide than the link reaches. The "
+            "two solutions meet when {}: {}. Then {}.",
+            relation(D, "<", ZERO),
+            met.condition,
+            met.meaning,
+            met.effect,
         ),
-    )  # fmt: skip
+    )
     return StepText(blocks, (met,))
 
 

@@ -87,9 +87,7 @@ def _cramer(context: StepContext) -> StepText:
         return StepText(tuple(blocks))
     free = _free(context, turned)
     blocks.append(
-        paragraph(
-            "Degenerate when {}: {}. Then {}.", _vanishing(turned), free.meaning, free.effect
-        )  # fmt: skip
+        paragraph("Degenerate when {}: {}. Then {}.", _vanishing(turned), free.meaning, free.effect)
     )
     return StepText(tuple(blocks), (free,))
 

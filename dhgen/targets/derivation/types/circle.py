@@ -1,4 +1,4 @@
-"""Type 9: two equations linear in two angles; the squares of cosine and sine of one leave a quartic."""
+"""Type 9: two equations linear in two angles; the unit circle of one leaves a quartic."""
 
 from __future__ import annotations
 
@@ -34,24 +34,31 @@ def print_circle(context: StepContext) -> StepText:
     kept = context.angle
     gone = _eliminated(context)
     c, s = cosine(gone), sine(gone)
-    rows = [equal(add(times(p, c), times(q, s), r), ZERO) for p, q, r in ((P1, Q1, R1), (P2, Q2, R2))]
-    known = not any(context.polynomial(f"{x}{n}{part}") for x in "PQ" for n in "12" for part in "cs")
+    letters = ((P1, Q1, R1), (P2, Q2, R2))
+    rows = [equal(add(times(p, c), times(q, s), r), ZERO) for p, q, r in letters]
+    parts = [f"{x}{n}{part}" for x in "PQ" for n in "12" for part in "cs"]
+    known = not any(context.polynomial(part) for part in parts)
     half = letter("x", "x")
+    tangent = equal(half, Call("tan", (over(theta(kept), number(2)),)))
+    names = (cosine(kept), sine(kept), tangent, half, theta(kept), theta(gone))
     blocks: list[Block] = [
         paragraph("These are {} and {}, where {} occurs in", *rows, theta(kept)),
         display(*(_definition(context, f"{x}{n}") for n in "12" for x in "PQR")),
         paragraph(
-            "Solved for {} and {} by Cramer's rule, the sum of their squares is 1, so that {} drops out:",
-            c, s, theta(gone),
+            "Solved for {} and {} by Cramer's rule, the sum of their squares is 1, and {} drops "
+            "out:",
+            c,
+            s,
+            theta(gone),
         ),
         display(_condition(known=known)),
         paragraph(
-            f"This is of degree 2 in {{}} and {{}}. With {{}} it is an equation of degree 4 in {{}}, and "
-            f"its real roots, at most four, give {{}}; {{}} follows for each of them.",
-            cosine(kept), sine(kept), equal(half, _tangent(context)), half, theta(kept), theta(gone),
+            "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
+            "its real roots, at most four, give {}; {} follows for each of them.",
+            *names,
         ),
         paragraph("No solution when it has no real root; where two roots meet they count once."),
-    ]  # fmt: skip
+    ]
     return StepText(tuple(blocks))
 
 
@@ -82,7 +89,3 @@ def _condition(*, known: bool) -> Formula:
         ),
         square(subtract(times(P1, Q2), times(Q1, P2))),
     )
-
-
-def _tangent(context: StepContext) -> Formula:
-    return Call("tan", (over(theta(context.angle), number(2)),))

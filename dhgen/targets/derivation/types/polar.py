@@ -21,7 +21,8 @@ def print_polar(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     (full_u, u), (full_v, v) = _quotient(context, "1"), _quotient(context, "2")
     axis = Given(str(context.angle.terms[-1][0]))
-    meaning = say("the slide is drawn in to axis {}, and every {} serves", axis, theta(context.angle))
+    text = "the slide is drawn in to axis {}, and every {} serves"
+    meaning = say(text, axis, theta(context.angle))
     zero = equal(r, ZERO)
     free = Singularity(context.number, zero, zero, meaning, free_effect(context))
     blocks = (
@@ -33,7 +34,10 @@ def print_polar(context: StepContext) -> StepText:
             equal(theta(context.angle), atan2(times(context.sign, u), times(context.sign, v))),
         ),
         paragraph(
-            "There always is a solution. Degenerate when {}: {}. Then {}.", zero, meaning, free.effect
+            "There always is a solution. Degenerate when {}: {}. Then {}.",
+            zero,
+            meaning,
+            free.effect,
         ),
     )
     return StepText(blocks, (free,))

@@ -42,8 +42,9 @@ def print_two_angles(context: StepContext) -> StepText:
     x, y, rest = reduced_coefficients(context)
     named = [(letter_, part, f) for letter_, part, f in ((X, x, s), (Y, y, c)) if part]
     left = add(*(times(letter_, function) for letter_, _, function in named))
-    lines: list[Formula] = [context.definition("Z1"), context.definition("Z2")]
-    lines += [equal(letter_, context.story.write(part, context.number)) for letter_, part, _ in named]
+    lines: list[Formula] = [
+        equal(letter_, context.story.write(part, context.number)) for letter_, part, _ in named
+    ]
     lines.append(equal(K, subtract(REACH, context.story.write(rest))))
     met = _met(context, x, y)
     far = relation(square(K), ">", add(*(square(letter_) for letter_, _, _ in named)))
@@ -54,51 +55,49 @@ def print_two_angles(context: StepContext) -> StepText:
         *_solution(context, x, y),
         paragraph(
             "No solution when {}{}. The two solutions meet when both sides are equal: {}. Then {}.",
-            far, _reach(context), met.meaning, met.effect,
+            far,
+            _reach(context),
+            met.meaning,
+            met.effect,
         ),
-    ]  # fmt: skip
+    ]
     return StepText(tuple(blocks), (met,))
 
 
-def _squares(
-    context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomial
-) -> list[Block]:
+def _squares(context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomial) -> list[Block]:
     """The equation that the sum of the squares gives."""
-    if "X" not in dict(context.step.coefficients):
-        return [
-            paragraph(
-                "Called {} and {} are the known terms, moved to the right. With the terms of the other "
-                "angle alone on one side, the sum of the squares holds {} only.",
-                Z1, Z2, theta(context.angle),
-            )
-        ]  # fmt: skip
+    called: list[Block] = [
+        paragraph("With the known terms moved to the right, the right sides are"),
+        display(context.definition("Z1"), context.definition("Z2")),
+    ]
+    if is_elimination(context):
+        text = (
+            "With the terms of the other angle alone on one side, the sum of the squares holds {} "
+            "only."
+        )
+        return [*called, paragraph(text, theta(context.angle))]
     algebra = context.story.algebra
     s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
-    whole = x * s + y * c + rest
+    text = "and the sum of the squares of both equations holds {} alone:"
     return [
-        paragraph(
-            "With the known terms moved to the right and called {} and {}, the sum of the squares of "
-            "both equations holds {} alone:",
-            Z1, Z2, theta(context.angle),
-        ),
-        display(equal(context.story.write_forward(whole), REACH)),
-    ]  # fmt: skip
+        *called,
+        paragraph(text, theta(context.angle)),
+        display(equal(context.story.write_forward(x * s + y * c + rest), REACH)),
+    ]
 
 
 def reduced_coefficients(context: StepContext) -> tuple[Polynomial, Polynomial, Polynomial]:
     """X, Y and N of X s + Y c = Z1^2 + Z2^2 - N for the step's angle."""
     letters = dict(context.step.coefficients)
-    if "X" in letters:
-        return letters["X"], letters["Y"], letters["N"]
-    first = context.step.forms[0]
-    backwards = first.coefficient(context.angle.sine) == letters["V2"] != 0
-    v1, v2, z1, z2 = (letters[name] for name in ("V1", "V2", "Z1", "Z2"))
-    normal = context.story.algebra.normal
-    if backwards:
-        v2 = -v2
-        x = normal(2 * (-z2 * v1 - z1 * v2))
-        return x, normal(2 * (z1 * v1 - z2 * v2)), -letters["N"]
-    return normal(2 * (z2 * v1 - z1 * v2)), normal(2 * (z1 * v1 + z2 * v2)), -letters["N"]
+    rest = -letters["N"] if is_elimination(context) else letters["N"]
+    return letters["X"], letters["Y"], rest
+
+
+def is_elimination(context: StepContext) -> bool:
+    """Whether the step's angle is one of the equations' own, not their difference."""
+    return context.angle in context.step.forms[0].unknowns and "Z" in dict(
+        context.step.coefficients
+    )
 
 
 def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]:
@@ -109,13 +108,17 @@ def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]
         radicand = subtract(add(square(X), square(Y)), square(K))
         solution = atan2(add(times(X, K), times(Y, W)), subtract(times(Y, K), times(X, W)))
         return [
-            paragraph("The squares of both combinations of {} and {} add up to {}, so", s, c,
-                      add(square(X), square(Y))),
+            paragraph(
+                "The squares of both combinations of {} and {} add up to {}, so",
+                s,
+                c,
+                add(square(X), square(Y)),
+            ),
             display(
                 equal(W, subtract(times(Y, s), times(X, c)), times(sign, root(radicand))),
                 equal(name, solution),
             ),
-        ]  # fmt: skip
+        ]
     below = Y if y else X
     length = root(subtract(square(below), square(K)))
     known = over(K, below)
@@ -131,8 +134,9 @@ def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
     joints = None
     meaning = say("the point is at the edge of its reach")
     if context.is_constant("V1", "V2", "W1", "W2"):
-        shared = _without_lengths(context, algebra.normal(y * s - x * c))
-        joints = equal(unsigned(context.story, shared), ZERO)
+        if not is_elimination(context):
+            shared = _without_lengths(context, algebra.normal(y * s - x * c))
+            joints = equal(unsigned(context.story, shared), ZERO)
         meaning = say("the arm is stretched or folded")
     return Singularity(context.number, condition, joints, meaning, merged_effect(context))
 

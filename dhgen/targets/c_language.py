@@ -1,0 +1,120 @@
+"""C99 as a scalar language: the words in which its solvers are written."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.scalar import output_texts, row_text
+
+if TYPE_CHECKING:
+    from dhgen.program.ir import Axis, Program
+    from dhgen.targets.nest import Loop
+
+_FUNCTIONS = {
+    "abs": "fabs",
+    "sqrt": "sqrt",
+    "atan2": "atan2",
+    "sin": "sin",
+    "cos": "cos",
+    "wrap": "wrap",
+    "maximum": "fmax",
+}
+
+
+class C:
+    """C99 as a scalar language."""
+
+    def pose(self, row: int, column: int) -> str:
+        """An entry of the pose."""
+        return f"T{row}{column}"
+
+    def joint(self, number: int, role: str) -> str:
+        """A joint value of the caller."""
+        array = {"seed": "seed", "free": "free_joints", "q": "q"}[role]
+        return f"{array}[{number - 1}]"
+
+    def function(self, operator: str) -> str:
+        """The name in <math.h>."""
+        return _FUNCTIONS[operator]
+
+    def conjunction(self) -> str:
+        """And."""
+        return "&&"
+
+    def disjunction(self) -> str:
+        """Or."""
+        return "||"
+
+    def negation(self) -> str:
+        """Not."""
+        return "!"
+
+    def choice(self, condition: str, yes: str, no: str) -> str:
+        """A conditional expression."""
+        return f"{condition} ? {yes} : {no}"
+
+    def comment(self, text: str) -> str:
+        """A comment line."""
+        return f"/* {text} */"
+
+    def let(self, name: str, value: str, *, truth: bool) -> str:
+        """A constant local."""
+        return f"const {'int' if truth else 'double'} {name} = {value};"
+
+    def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
+        """Leaves the loop body, or the function outside of loops."""
+        jump = f"{'continue' if depth else 'return'}; /* {why} */"
+        head = wrapped(f"if ({condition})", "", width=WIDTH - 4 * (depth + 1))
+        if losses:
+            return [*head[:-1], f"{head[-1]} {{", *(f"    {line}" for line in [*losses, jump]), "}"]
+        line = f"{head[-1]} {jump}"
+        fits = len(head) == 1 and 4 * (depth + 1) + len(line) <= WIDTH
+        return [line] if fits else [*head, f"    {jump}"]
+
+    def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
+        """Notes the joint that was chosen and by how much the branch then failed."""
+        lines = []
+        for number, name in flags:
+            lines += [
+                f"if ({name}) {{",
+                f"    status[{row}] = LOST + {number};",
+                f"    q[{row}][0] = {margin};",
+                "}",
+            ]
+        return lines
+
+    def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
+        """Fills an array with the roots of a polynomial."""
+        name = f"{axis.name}_roots"
+        arguments = ", ".join([*coefficients, name])
+        return [f"double {name}[{axis.count}];", f"circle_roots({arguments});"]
+
+    def open_loop(self, loop: Loop) -> list[str]:
+        """A loop over a sign or the roots of a polynomial."""
+        index, name, count = f"i{loop.place + 1}", loop.axis.name, loop.axis.count
+        value = f"{index} == 0 ? 1.0 : -1.0" if loop.is_sign else f"{name}_roots[{index}]"
+        meaning = ", ".join(loop.axis.meaning)
+        return [
+            f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {meaning} */",
+            f"    const double {name} = {value};",
+        ]
+
+    def close_loop(self) -> list[str]:
+        """The closing brace."""
+        return ["}"]
+
+    def store(self, program: Program) -> list[str]:
+        """One row of results."""
+        lines = [f"const int row = {row_text(program, len(program.axes))};"]
+        lines += [
+            f"q[row][{place}] = {value};" for place, value in enumerate(output_texts(program, self))
+        ]
+        flags = " || ".join(name for _, name in program.free)
+        prefix = program.name.upper()
+        solved = f"({flags}) ? {prefix}_FREE_JOINT : {prefix}_OK" if flags else f"{prefix}_OK"
+        return [*lines, f"status[row] = {solved};"]
+
+    def broken(self, line: str, indent: str) -> list[str]:
+        """C may be broken at any space."""
+        return wrapped(line, indent)

@@ -1,0 +1,117 @@
+"""Python as a scalar language, in the part that numba compiles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.scalar import output_texts, row_text
+
+if TYPE_CHECKING:
+    from dhgen.program.ir import Axis, Program
+    from dhgen.targets.nest import Loop
+
+_FUNCTIONS = {
+    "abs": "abs",
+    "sqrt": "math.sqrt",
+    "atan2": "math.atan2",
+    "sin": "math.sin",
+    "cos": "math.cos",
+    "wrap": "_wrap",
+    "maximum": "max",
+}
+
+
+class Python:
+    """Python, in the part that numba compiles."""
+
+    def pose(self, row: int, column: int) -> str:
+        """An entry of the pose."""
+        return f"T{row}{column}"
+
+    def joint(self, number: int, role: str) -> str:
+        """A joint value of the caller."""
+        array = {"seed": "seed", "free": "q_free", "q": "q"}[role]
+        return f"{array}[{number - 1}]"
+
+    def function(self, operator: str) -> str:
+        """The name of a function."""
+        return _FUNCTIONS[operator]
+
+    def conjunction(self) -> str:
+        """And."""
+        return "and"
+
+    def disjunction(self) -> str:
+        """Or."""
+        return "or"
+
+    def negation(self) -> str:
+        """Not."""
+        return "not "
+
+    def choice(self, condition: str, yes: str, no: str) -> str:
+        """A conditional expression."""
+        return f"{yes} if {condition} else {no}"
+
+    def comment(self, text: str) -> str:
+        """A comment line."""
+        return f"# {text}"
+
+    def let(self, name: str, value: str, *, truth: bool) -> str:
+        """An assignment."""
+        del truth
+        return f"{name} = {value}"
+
+    def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
+        """Leaves the loop body, or the function outside of loops."""
+        jump = f"{'continue' if depth else 'return'}  # {why}"
+        width = WIDTH - 4 * (depth + 1)
+        head = [f"if {condition}:"]
+        if len(head[0]) > width:
+            inside = wrapped(f"    {condition}", "", "    ", width)
+            head = ["if (", *inside, "):"]
+        return [*head, *(f"    {line}" for line in losses), f"    {jump}"]
+
+    def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
+        """Notes the joint that was chosen and by how much the branch then failed."""
+        lines = []
+        for number, name in flags:
+            lines += [
+                f"if {name}:",
+                f"    status[{row}] = _LOST + {number}",
+                f"    q[{row}, 0] = {margin}",
+            ]
+        return lines
+
+    def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
+        """The roots of a polynomial as an array."""
+        return [f"{axis.name}_roots = _circle_roots({', '.join(coefficients)})"]
+
+    def open_loop(self, loop: Loop) -> list[str]:
+        """A loop over a sign or the roots of a polynomial."""
+        index, name = f"i{loop.place + 1}", loop.axis.name
+        value = f"1.0 - 2.0 * {index}" if loop.is_sign else f"{name}_roots[{index}]"
+        return [
+            f"for {index} in range({loop.axis.count}):  # {', '.join(loop.axis.meaning)}",
+            f"    {name} = {value}",
+        ]
+
+    def close_loop(self) -> list[str]:
+        """Nothing: the indentation ends."""
+        return []
+
+    def store(self, program: Program) -> list[str]:
+        """One row of results."""
+        lines = [f"row = {row_text(program, len(program.axes))}"]
+        lines += [
+            f"q[row, {place}] = {value}" for place, value in enumerate(output_texts(program, self))
+        ]
+        flags = " or ".join(name for _, name in program.free)
+        return [*lines, f"status[row] = {f'FREE_JOINT if {flags} else OK' if flags else 'OK'}"]
+
+    def broken(self, line: str, indent: str) -> list[str]:
+        """Python may be broken inside parentheses."""
+        name, value = line.strip().split(" = ", 1)
+        inner = wrapped(f"{indent}    {value}", indent, "    ")
+        return [f"{indent}{name} = (", *inner, f"{indent})"]

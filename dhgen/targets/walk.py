@@ -1,0 +1,67 @@
+"""What occurs in a program."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Apply, Guard, Joint, Let, Roots
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from dhgen.program.ir import Expression, NamedConstant, Program
+
+
+def expressions(program: Program) -> Iterator[Expression]:
+    """Every expression and its parts."""
+    pending: list[Expression] = list(program.outputs)
+    for statement in program.body:
+        if isinstance(statement, Let):
+            pending.append(statement.expression)
+        elif isinstance(statement, Guard):
+            margin = () if statement.margin is None else (statement.margin,)
+            pending += [statement.condition, *margin]
+        elif isinstance(statement, Roots):
+            pending += statement.coefficients
+    while pending:
+        expression = pending.pop()
+        yield expression
+        if isinstance(expression, Apply):
+            pending += expression.operands
+
+
+def uses(program: Program, operator: str) -> bool:
+    """Whether an operator occurs."""
+    return any(isinstance(e, Apply) and e.operator == operator for e in expressions(program))
+
+
+def reads(program: Program, role: str) -> bool:
+    """Whether a program reads joint values of this role."""
+    return any(isinstance(e, Joint) and e.role == role for e in expressions(program))
+
+
+def finds_roots(program: Program) -> bool:
+    """Whether roots of polynomials are looked for."""
+    return any(isinstance(statement, Roots) for statement in program.body)
+
+
+def chooses_again(program: Program) -> bool:
+    """Whether the choice of a free joint decides on a later guard."""
+    return any(
+        isinstance(statement, Guard) and statement.chosen and statement.margin is not None
+        for statement in program.body
+    )
+
+
+def merged_constants(programs: Iterable[Program], own: Sequence[str]) -> tuple[NamedConstant, ...]:
+    """The constants of several programs, each once: the arm's own in their order come first."""
+    places = {name: place for place, name in enumerate(own)}
+    merged: dict[str, NamedConstant] = {}
+    for program in programs:
+        for constant in program.constants:
+            merged.setdefault(constant.name, constant)
+
+    def order(constant: NamedConstant) -> tuple[bool, int]:
+        return constant.derived, places.get(constant.name, len(places))
+
+    return tuple(sorted(merged.values(), key=order))
