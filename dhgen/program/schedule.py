@@ -146,9 +146,9 @@ class _Schedule:
         if mark.heading is not None:
             return Heading(mark.heading, mark.detail)
         if mark.roots:
-            axes = {axis for node in mark.roots for axis in self._entries[node].axes}
+            inner = {axis for node in mark.roots for axis in self._entries[node].axes}
             coefficients = tuple(self.expression(node) for node in mark.roots)
-            return Roots(mark.axis, coefficients, tuple(sorted(axes)))
+            return Roots(mark.axis, coefficients, tuple(sorted(inner)))
         margin = None if mark.margin is None else self.expression(mark.margin)
         chosen = tuple(self._names[node] for node in mark.chosen)
         axes = self._entries[mark.condition].axes
