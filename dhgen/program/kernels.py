@@ -194,8 +194,9 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
 def lower_two_angles(context: Lowering, step: Step) -> None:
     """Types 6, 7, 8 for the difference of the angles: the law of cosines.
 
-    For one of the angles themselves, what is left is of type 2, X s + Y c = Z. With H and L the squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is
-    accurate also where the arm is nearly folded.
+    For one of the angles themselves, what is left is of type 2, X s + Y c = Z. With H and L the
+    squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is accurate also where
+    the arm is nearly folded.
     """
     if "Z" in dict(step.coefficients):
         lower_angle(context, step)

@@ -203,7 +203,7 @@ class _Checker:
             raise VerificationError(f"{where}: Python and {what} differ by {miss.max():.1e}")
 
     def _conditioned(self, rows: Array) -> float:
-        """AGREEMENT over the smallest singular value of the Jacobian that still fixes the joints."""
+        """AGREEMENT over the smallest singular value of the Jacobian."""
         least = 1.0
         for row in rows:
             jacobian = np.array(self._python.jacobian(row))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import jinja2
 import pytest
-from pose_libraries import FILES, WARNINGS, compiler, emitted, run
+from tests.pose.pose_libraries import FILES, WARNINGS, compiler, emitted, run
 
 from dhgen.targets.templates import render
 

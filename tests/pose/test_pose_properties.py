@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from pose_libraries import LIBRARIES, library, read, write
+from tests.pose.pose_libraries import LIBRARIES, library, read, write
 
 each_library = pytest.mark.parametrize("name", LIBRARIES)
 # No deadline: the first call compiles. No database: the tests leave no folder behind.
