@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.step import Kind
 from dhgen.program.count import count_operations
 from dhgen.targets.derivation.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.derivation.tree import tree_text
@@ -83,4 +84,6 @@ def cost_section(story: Story) -> list[Block]:
 def _sines(story: Story) -> str:
     if story.robot.free:
         return "sine and cosine are taken of values that the caller gives."
+    if any(step.kind is Kind.CIRCLE for step in story.steps):
+        return "sine and cosine are taken of the roots and, where a joint is free, of the seed."
     return "sine and cosine are taken of the seed only, where a joint is free."

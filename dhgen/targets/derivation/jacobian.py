@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.product import product
-from dhgen.kinematics.transform import compose
+from dhgen.kinematics.transform import compose, identity
 from dhgen.robot.robot import Convention, DhTable
 from dhgen.targets.derivation.blocks import display, paragraph
-from dhgen.targets.derivation.formula import Matrix, Symbol, equal
+from dhgen.targets.derivation.formula import Formula, Matrix, Symbol, equal, times
 from dhgen.targets.derivation.lines import WIDTH, width
+from dhgen.targets.derivation.words import many
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -20,42 +21,18 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 _J = Symbol("J", "J")
+_TOOL_ORIGIN = Symbol("o_n", "oₙ")
 
 
 def jacobian_blocks(story: Story) -> list[Block]:
     """The formula of a column, and the matrix when it is narrow enough."""
-    own = not isinstance(story.robot.geometry, DhTable) or (
-        story.robot.geometry.convention is Convention.MODIFIED
-    )
-    z, o = ("z_i", "o_i") if own else ("z_{i-1}", "o_{i-1}")
-    zt, ot = ("zᵢ", "oᵢ") if own else ("zᵢ₋₁", "oᵢ₋₁")
-    turn = Symbol(
-        rf"\begin{{bmatrix}} {z} \times (o_n - {o}) \\ {z} \end{{bmatrix}}",
-        f"[{zt} × (oₙ − {ot}); {zt}]",
-    )
-    slide = Symbol(rf"\begin{{bmatrix}} {z} \\ 0 \end{{bmatrix}}", f"[{zt}; 0]")
     blocks: list[Block] = [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
             "{} and its angular velocity. Its column {} is, for a revolute and a prismatic joint,",
-            _J,
-            Symbol("o_n", "oₙ"),
-            Symbol("i", "i"),
+            *(_J, _TOOL_ORIGIN, Symbol("i", "i")),
         ),
-        display(
-            Symbol(
-                rf"{turn.latex} \qquad \text{{and}} \qquad {slide.latex},",
-                f"{turn.text}  and  {slide.text},",
-            )
-        ),
-        paragraph(
-            "where {} and {} are columns 3 and 4 of " + ("{}, and {} is column 4 of {}."),
-            Symbol(z, zt),
-            Symbol(o, ot),
-            Symbol("T_i^0", "Tᵢ⁰") if own else Symbol("T_{i-1}^0", "Tᵢ₋₁⁰"),
-            Symbol("o_n", "oₙ"),
-            Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool"),
-        ),
+        *_columns(story),
     ]
     matrix = Matrix(
         tuple(tuple(story.write_forward(entry) for entry in row) for row in _rows(story.algebra))
@@ -65,6 +42,30 @@ def jacobian_blocks(story: Story) -> list[Block]:
     if total <= WIDTH:
         blocks += [paragraph("Written out,"), display(equal(_J, matrix))]
     return blocks
+
+
+def _columns(story: Story) -> list[Block]:
+    """The two kinds of columns, and what stands in them."""
+    own = not isinstance(story.robot.geometry, DhTable) or (
+        story.robot.geometry.convention is Convention.MODIFIED
+    )
+    z, o = ("z_i", "o_i") if own else ("z_{i-1}", "o_{i-1}")
+    zt, ot = ("zᵢ", "oᵢ") if own else ("zᵢ₋₁", "oᵢ₋₁")
+    both = Symbol(
+        rf"\begin{{bmatrix}} {z} \times (o_n - {o}) \\ {z} \end{{bmatrix}} \qquad \text{{and}} "
+        rf"\qquad \begin{{bmatrix}} {z} \\ 0 \end{{bmatrix}},",
+        f"[{zt} × (oₙ − {ot}); {zt}]  and  [{zt}; 0],",
+    )
+    frame: Formula = Symbol("T_i^0", "Tᵢ⁰") if own else Symbol("T_{i-1}^0", "Tᵢ₋₁⁰")
+    if story.algebra.chain.base != identity(story.algebra.chain.ring):
+        frame = times(Symbol("Z", "Z"), frame)
+    reversed_ = [str(j.number) for j in story.algebra.chain.joints if j.sign < 0]
+    text = "where {} and {} are columns 3 and 4 of {}, and {} is column 4 of {}."
+    if reversed_:
+        text += f" For {many('joint', reversed_)} it has the opposite sign, as the variable has."
+    whole = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
+    parts = (Symbol(z, zt), Symbol(o, ot), frame, _TOOL_ORIGIN, whole)
+    return [display(both), paragraph(text, *parts)]
 
 
 def _rows(algebra: Algebra) -> list[tuple[Polynomial, ...]]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from dhgen.kinematics.chain import Turn
 from dhgen.kinematics.product import product
+from dhgen.kinematics.transform import identity
 from dhgen.paul.witness import build_witnesses
 from dhgen.targets.derivation.blocks import Given, say
 from dhgen.targets.derivation.formula import ZERO, Symbol, equal
@@ -137,6 +138,9 @@ def point_name(context: StepContext) -> Prose:
         return say("the far end of the two links")
     if story.wrist is not None:
         return say("the wrist centre")
+    chain = story.algebra.chain
+    if story.derivation.problem.tool_left and chain.tool != identity(chain.ring):
+        return say("the origin of frame {}", Given(str(chain.dof)))
     return say("the tool's origin")
 
 

@@ -24,6 +24,18 @@ def width(formula: Formula) -> int:
     return len(show(formula, PLAIN))
 
 
+def laid_out(formulas: tuple[Formula, ...], style: Style) -> list[tuple[str, str]]:
+    """The lines of formulas one below the other, aligned when no first side is too long for it."""
+    lines = [line for formula in formulas for line in broken(formula, style)]
+    if not any(_is_long(formula) for formula in formulas):
+        return lines
+    return [("", f"{left} {right}" if left else right) for left, right in lines]
+
+
+def _is_long(formula: Formula) -> bool:
+    return isinstance(formula, Relation) and width(formula.sides[0]) + 3 > WIDTH // 2
+
+
 def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
     """The lines of a formula, each as what stands left and right of the point of alignment."""
     if not isinstance(formula, Relation):
@@ -31,7 +43,7 @@ def broken(formula: Formula, style: Style) -> list[tuple[str, str]]:
     first = formula.sides[0]
     left = show(first, style)
     start = width(first) + 3
-    if start > WIDTH // 2:
+    if _is_long(formula):
         head = filled(first, style, WIDTH)
         lines = [("", line) for line in head]
         start = INDENT

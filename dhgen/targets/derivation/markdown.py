@@ -19,7 +19,7 @@ from dhgen.targets.derivation.blocks import (
     Table,
 )
 from dhgen.targets.derivation.formula import Listing, Matrix, Product, Relation
-from dhgen.targets.derivation.lines import broken
+from dhgen.targets.derivation.lines import broken, laid_out
 from dhgen.targets.derivation.style import LATEX, show
 
 if TYPE_CHECKING:
@@ -77,10 +77,8 @@ def escaped(text: str) -> str:
 def _display(formulas: tuple[Formula, ...]) -> str:
     if len(formulas) == 1 and _is_one_line(formulas[0]):
         return show(formulas[0], LATEX)
-    lines: list[str] = []
-    for formula in formulas:
-        for left, right in broken(formula, LATEX):
-            lines.append(f"{left} & {right}".strip() if right else left)
+    pairs = laid_out(formulas, LATEX)
+    lines = [f"{left} & {right}".strip() if right else left for left, right in pairs]
     if len(lines) == 1:
         return lines[0].replace(" & ", " ", 1)
     body = " \\\\\n".join(lines)

@@ -15,7 +15,7 @@ from dhgen.targets.derivation.blocks import (
     Table,
 )
 from dhgen.targets.derivation.formula import Listing, Matrix, Product, Relation
-from dhgen.targets.derivation.lines import broken
+from dhgen.targets.derivation.lines import laid_out
 from dhgen.targets.derivation.style import PLAIN, show, show_entry
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def _display(formulas: tuple[Formula, ...]) -> list[str]:
         lines = box(formulas[0])
         if len(lines) > 1:
             return lines
-    pairs = [pair for formula in formulas for pair in broken(formula, PLAIN)]
+    pairs = laid_out(formulas, PLAIN)
     margin = max(len(left) for left, _ in pairs)
     return [f"{left:>{margin}} {right}".rstrip() if margin else right for left, right in pairs]
 

@@ -188,15 +188,14 @@ def _general(context: StepContext) -> StepText:
         meaning_of_root(context),
         merged_effect(context),
     )
-    blocks.append(
-        paragraph(
-            "No solution when {}. The two solutions meet when {}: {}. Then {}.",
-            relation(SQUARES, "<", square(Z)),
-            met.condition,
-            met.meaning,
-            met.effect,
-        )
-    )
+    text = "No solution when {}. The two solutions meet when {}: {}. Then {}."
+    far = relation(SQUARES, "<", square(Z))
+    blocks.append(paragraph(text, far, met.condition, met.meaning, met.effect))
+    return _with_free(context, blocks, met)
+
+
+def _with_free(context: StepContext, blocks: list[Block], met: Singularity) -> StepText:
+    """What happens where X, Y and Z vanish together, if they may."""
     if context.is_constant("X", "Y") or context.is_constant("Z"):
         return StepText(tuple(blocks), (met,))
     free = Singularity(

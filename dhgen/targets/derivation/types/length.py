@@ -19,9 +19,14 @@ def print_length(context: StepContext) -> StepText:
     """r = Y / X."""
     r = context.unknown
     if context.is_number("X"):
+        (quote,) = context.quotes
         x = context.value("X")
         full = over(context.story.write(context.polynomial("Y")), x)
-        return StepText((display(equal(r, full, over(context.value("Y"), x))),))
+        solved = equal(r, full, over(context.value("Y"), x))
+        quoted = equal(*(context.story.write(s) for s in (quote.left, quote.right)))
+        if solved == quoted:
+            return StepText((paragraph("The unknown stands alone already."),))
+        return StepText((display(solved),))
     blocks: list[Block] = [
         paragraph("This is {} with", equal(times(X, r), Y)),
         display(context.definition("X"), context.definition("Y")),

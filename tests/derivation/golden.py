@@ -1,0 +1,30 @@
+"""Golden derivations: the documents without their cost, which belongs to the program.
+
+`python -m tests.derivation.golden` writes them anew; read the difference before it is committed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from dhgen.targets.derivation import derivation_document
+from tests.derivation.stories import story
+
+FOLDER = Path(__file__).resolve().parent / "golden"
+NAMES = ("arm_6r", "planar_rr", "scara")
+
+
+def document(name: str) -> str:
+    """A derivation as Markdown."""
+    of = story(name)
+    return derivation_document(of.robot, of.derivation, of.program)
+
+
+def without_cost(text: str) -> str:
+    """A document up to its last section."""
+    return text[: text.index("## Cost")]
+
+
+if __name__ == "__main__":
+    for each in NAMES:
+        (FOLDER / f"{each}.md").write_text(without_cost(document(each)), encoding="utf-8")

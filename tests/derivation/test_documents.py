@@ -1,0 +1,130 @@
+"""The documents of all robots: sections, formulas that GitHub reads, trees, summaries."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import product
+
+import pytest
+
+from dhgen.paul.step import Kind
+from dhgen.targets.derivation import (
+    alternatives_text,
+    derivation_document,
+    derivation_summary,
+    derivation_terminal,
+)
+from dhgen.targets.derivation.tree import tree_text
+from dhgen.targets.derivation.types import PRINTERS
+from tests.derivation.golden import FOLDER, document, without_cost
+from tests.derivation.golden import NAMES as GOLDEN
+from tests.derivation.stories import NAMES, story
+
+SECTIONS = [
+    "The robot",
+    "Forward",
+    "Inverse",
+    "The solutions",
+    "Singular configurations",
+    "Cost",
+]
+
+
+@pytest.mark.parametrize("name", GOLDEN)
+def test_golden(name: str) -> None:
+    expected = (FOLDER / f"{name}.md").read_text(encoding="utf-8")
+    assert without_cost(document(name)) == expected
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_sections_in_order(name: str) -> None:
+    text = document(name)
+    assert re.findall(r"^## (.*)$", text, re.MULTILINE) == SECTIONS
+    of = story(name)
+    for number in range(1, len(of.steps) + 1):
+        assert f"\n**{number}. $" in text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_formulas_are_left_alone_by_markdown(name: str) -> None:
+    """Inside a line, what Markdown takes for its own stands between dollars and backquotes."""
+    text = re.sub(r"```.*?```", "", document(name), flags=re.DOTALL)
+    for safe in re.findall(r"\$`[^`]*`\$", text):
+        text = text.replace(safe, "")
+    text = text.replace(r"\$", "")
+    assert text.count("$") % 2 == 0
+    for formula in re.findall(r"\$([^$]*)\$", text):
+        assert not re.search(r"\}_|\\[^A-Za-z]|[|<>*`]", formula), formula
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_braces_are_balanced(name: str) -> None:
+    for formula in re.findall(r"```math\n(.*?)\n```", document(name), re.DOTALL):
+        assert formula.count("{") == formula.count("}")
+        assert formula.count(r"\begin") == formula.count(r"\end")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_tree_has_a_leaf_for_every_row(name: str) -> None:
+    of = story(name)
+    lines = tree_text(of).splitlines()
+    assert len(lines) == of.program.rows
+    leaves = [re.search(r"row (\d+)", line) for line in lines]
+    assert [int(leaf[1]) for leaf in leaves if leaf] == list(range(of.program.rows))
+
+
+def test_the_tree_of_an_arm_with_three_signs() -> None:
+    lines = tree_text(story("arm_6r")).splitlines()
+    signs: dict[int, str] = {}
+    for line, choice in zip(lines, product(("+1", "−1"), repeat=3), strict=True):
+        for place, value in re.findall(r"ε([₁₂₃]) = ([+−]1)", line):
+            signs["₁₂₃".index(place)] = value
+        assert tuple(signs[place] for place in range(3)) == choice
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_terminal_says_the_same(name: str) -> None:
+    of = story(name)
+    text = derivation_terminal(of.robot, of.derivation, of.program)
+    for section in SECTIONS:
+        assert f"\n{section}\n{'-' * len(section)}\n" in text
+    assert "$" not in text
+    assert "\\" not in text
+    assert tree_text(of).splitlines()[-1] in text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_summary(name: str) -> None:
+    of = story(name)
+    text = derivation_summary(of.robot, of.derivation, of.program)
+    lines = text.splitlines()
+    for number, step in enumerate(of.steps, start=1):
+        assert lines[number - 1].startswith(f"{number}. ")
+        assert f"type {step.kind.value}" in lines[number - 1]
+    assert len(lines) <= 16
+
+
+def test_alternatives_name_the_way_of_document_003() -> None:
+    text = alternatives_text(story("scara").derivation)
+    assert re.search(r"type 6, two values, U₁\[1,4\] and U₁\[2,4\]", text)
+    assert len(re.findall(r"\(taken\)$", text, re.MULTILINE)) == len(story("scara").steps)
+
+
+def test_every_type_has_a_printer() -> None:
+    assert set(PRINTERS) == set(Kind)
+
+
+def test_texts_of_the_user_are_escaped() -> None:
+    of = story("planar_rr")
+    robot = replace(of.robot, title="A *bold* <b>arm</b> | $x$", source="see [here](http://x.y)_")
+    text = derivation_document(robot, of.derivation, of.program)
+    assert r"# A \*bold\* \<b\>arm\</b\> \| \$x\$: inverse kinematics" in text
+    assert r"see \[here\](http://x.y)\_" in text
+
+
+def test_a_parameter_never_shares_its_letter() -> None:
+    """The PUMA's D4 is a length, so the signed roots are called F."""
+    text = document("puma")
+    assert "D_4 c_{23}" in text
+    assert "F_4 = " in text

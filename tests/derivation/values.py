@@ -1,0 +1,196 @@
+"""Printed formulas as numbers: the letters of a configuration, and what a formula is worth."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.targets.derivation.formula import (
+    Call,
+    Element,
+    Matrix,
+    Minus,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    Size,
+    Sum,
+    Symbol,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.transform import Transform
+    from dhgen.targets.derivation.formula import Formula
+    from dhgen.targets.derivation.story import Story
+
+Value = Any  # a number or a matrix
+Letters = dict[str, Value]
+
+
+def evaluate(formula: Formula | None, letters: Letters) -> Value:
+    """A formula's value; KeyError where a letter has none."""
+    match formula:
+        case Symbol(text=text):
+            return letters[text]
+        case Number(value):
+            return float(value)
+        case Matrix(rows):
+            return np.array([[evaluate(entry, letters) for entry in row] for row in rows])
+        case Element(matrix, row, column):
+            return evaluate(matrix, letters)[row - 1, column - 1]
+        case Minus() | Sum() | Product() | Power() | Quotient():
+            return _arithmetic(formula, letters)
+        case Root() | Size() | Call():
+            return _function(formula, letters)
+    raise KeyError(formula)
+
+
+def _arithmetic(formula: Minus | Sum | Product | Power | Quotient, letters: Letters) -> Value:
+    match formula:
+        case Minus(operand):
+            return -evaluate(operand, letters)
+        case Sum(terms):
+            return sum(evaluate(term, letters) for term in terms)
+        case Product(factors):
+            result = evaluate(factors[0], letters)
+            for factor in factors[1:]:
+                value = evaluate(factor, letters)
+                result = result @ value if isinstance(value, np.ndarray) else result * value
+            return result
+        case Power(base, -1):
+            return np.linalg.inv(evaluate(base, letters))
+        case Power(base, exponent):
+            return evaluate(base, letters) ** exponent
+        case Quotient(over, under):
+            return evaluate(over, letters) / evaluate(under, letters)
+
+
+def _function(formula: Root | Size | Call, letters: Letters) -> Value:
+    match formula:
+        case Root(operand):
+            return math.sqrt(max(evaluate(operand, letters), 0.0))
+        case Size(operand):
+            return abs(evaluate(operand, letters))
+        case Call(function, arguments):
+            values = [evaluate(argument, letters) for argument in arguments]
+            if function == "sgn":
+                return math.copysign(1.0, values[0])
+            assert function == "atan2"
+            return math.atan2(*values)
+
+
+def letters_of(story: Story, q: Sequence[float]) -> Letters:
+    """Every letter of a derivation at a configuration, from the chain's own constants."""
+    chain = story.algebra.chain
+    values = {c.name: c.value for c in chain.constants}
+    inner = {j.number: j.sign * q[j.number - 1] + j.offset for j in chain.joints}
+    letters = {story.letters[name].text: value for name, value in values.items()}
+    for angle in story.algebra.angles:
+        total = sum(sign * inner[joint] for joint, sign in angle.terms)
+        letters[story.letters[angle.cosine].text] = math.cos(total)
+        letters[story.letters[angle.sine].text] = math.sin(total)
+        letters["θ" + story.letters[angle.cosine].text[1:]] = total
+    for joint, name in story.algebra.slides.items():
+        letters[story.letters[name].text] = inner[joint]
+    for number, value in enumerate(q, start=1):
+        letters[indexed("q", number)] = value
+    return letters | _matrices(story, inner, values) | _limits(story)
+
+
+def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -> Letters:
+    """A_i, T_i^0, U_m, Z, E and POS as numbers, and the entries of U_0 and of named points."""
+    chain = story.algebra.chain
+    problem = story.derivation.problem
+    base, tool = numeric(chain.base, values), numeric(chain.tool, values)
+    links = [_link(chain, i, inner, values) for i in range(chain.dof)]
+    found: Letters = {"Z": base, "E": tool}
+    total = np.eye(4)
+    for number, link in enumerate(links, start=1):
+        total = total @ link
+        found[indexed("T", number) + "⁰"] = total
+        found[indexed("A", number)] = link
+    pose = base @ total @ tool
+    found |= {"POS": pose, "T_base,tool": pose}
+    moved = list(links)
+    if not problem.base_left:
+        moved[0] = base @ moved[0]
+    if not problem.tool_left:
+        moved[-1] = moved[-1] @ tool
+    target = np.eye(4)
+    for link in moved:
+        target = target @ link
+    for row in range(3):
+        for column in range(4):
+            found[indexed("t", f"{row + 1}{column + 1}")] = target[row, column]
+            found[indexed("p", f"{row + 1}{column + 1}")] = pose[row, column]
+    for point in story.derivation.pool.points:
+        vector = [_number(entry, values, story) for entry in point.in_tool]
+        place = target @ [*vector, 1.0]
+        for name, value in zip(point.names, place, strict=False):
+            found[story.letters[name].text] = value
+    for number in range(chain.dof):
+        found[indexed("U", number)] = target
+        target = np.linalg.inv(moved[number]) @ target
+    return found | {f"moved {i}": link for i, link in enumerate(moved, start=1)}
+
+
+def _limits(story: Story) -> Letters:
+    return {"π/2": math.pi / 2, "π": math.pi, "robot": story.robot.name}
+
+
+def _link(
+    chain: Chain, place: int, inner: dict[int, float], values: dict[str, float]
+) -> NDArray[np.float64]:
+    total = np.eye(4)
+    for element in chain.links[place]:
+        match element:
+            case Fixed(transform):
+                total = total @ numeric(transform, values)
+            case Turn(joint, sign):
+                c, s = math.cos(inner[joint]), sign * math.sin(inner[joint])
+                turn = np.eye(4)
+                turn[:2, :2] = [[c, -s], [s, c]]
+                total = total @ turn
+            case Slide(joint, sign):
+                slide = np.eye(4)
+                slide[2, 3] = sign * inner[joint]
+                total = total @ slide
+    return total
+
+
+def numeric(transform: Transform, values: dict[str, float]) -> NDArray[np.float64]:
+    """A constant transform of the chain as numbers."""
+    matrix = np.eye(4)
+    for row in range(3):
+        for column in range(4):
+            entry = transform.entry(row, column)
+            symbols = {str(s): values.get(str(s), 0.0) for s in entry.ring.symbols}
+            matrix[row, column] = entry.evaluate(
+                list(zip(entry.ring.gens, symbols.values(), strict=True))
+            )
+    return matrix
+
+
+def _number(entry: Any, values: dict[str, float], story: Story) -> float:
+    total = 0.0
+    for monomial, coefficient in entry.terms():
+        part = float(coefficient)
+        for exponent, symbol in zip(monomial, story.algebra.ring.symbols, strict=True):
+            part *= values.get(str(symbol), 1.0) ** exponent
+        total += part
+    return total
+
+
+def indexed(letter: str, index: int | str) -> str:
+    """A letter with a lowered index."""
+    return letter + str(index).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
