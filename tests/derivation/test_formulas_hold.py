@@ -140,7 +140,9 @@ def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
         signs = list(product((1.0, -1.0), repeat=len(of.program.axes)))
         true = [signs[row] for row in range(of.program.rows) if _is(of, rows.q[0, row], q)]
         assert len(true) == 1
-        good = [choice for choice in signs if _steps_hold(of, q, choice)]
+        letters = with_pose(of, q)
+        del letters["Z"], letters["E"]  # in a step Z is a letter of its type
+        good = [choice for choice in signs if _steps_hold(of, letters, choice)]
         assert good == true
 
 
@@ -156,23 +158,23 @@ def _is(of: Story, found: object, q: list[float]) -> bool:
 
 @cache
 def step_relations(name: str) -> tuple[tuple[Relation, ...], ...]:
-    """The relations of every step."""
+    """The relations of every step, and last those of the joint values."""
     of = story(name)
-    numbers = range(1, len(of.steps) + 1)
-    return tuple(tuple(relations(list(step_blocks(of, number)[0]))) for number in numbers)
+    steps = [step_blocks(of, number)[0] for number in range(1, len(of.steps) + 1)]
+    return tuple(tuple(relations(list(blocks))) for blocks in (*steps, joint_values(of)))
 
 
-def _steps_hold(of: Story, q: list[float], signs: tuple[float, ...]) -> bool:
-    letters = with_pose(of, q)
-    del letters["Z"], letters["E"]  # in a step Z is a letter of its type
-    for place, sign in enumerate(signs):
-        letters["ε" + "₁₂₃₄"[place]] = sign
-    for step in step_relations(of.robot.name):
+def _steps_hold(of: Story, place: Letters, signs: tuple[float, ...]) -> bool:
+    letters = dict(place)
+    for number, sign in enumerate(signs, start=1):
+        letters[indexed("ε", number)] = sign
+    *steps, last = step_relations(of.robot.name)
+    for step in steps:
         local = dict(letters)
         if not all(holds(relation, local) for relation in step):
             return False
         letters |= {name: value for name, value in local.items() if name[0] in "DFGHM"}
-    return all(holds(relation, letters) for relation in relations(list(joint_values(of))))
+    return all(holds(relation, letters) for relation in last)
 
 
 @pytest.mark.parametrize("name", NAMES)
