@@ -1,7 +1,7 @@
 """How long the general 6R kernel takes in C, for each arm: mean, median and 99 % quantile.
 
-Run as `python -m benchmarks.general6r [poses]` from the checkout. CPU time of one process, the least
-of five runs of a pose, all solutions, random poses within reach.
+Run as `python -m benchmarks.general6r [poses]` from the checkout. CPU time of one process, the
+least of five runs of a pose, all solutions, random poses within reach.
 """
 
 from __future__ import annotations

@@ -84,6 +84,7 @@ def _tolerances() -> dict[str, object]:
         "noise_factor": repr(circle.NOISE_FACTOR),
         "noise": repr(reference.NOISE),
         "residual": repr(reference.RESIDUAL),
+        "together": repr(reference.TOGETHER),
         "same": repr(reference.SAME),
         # the square of the sum of two unit vectors that are this close
         "close": repr(4.0 - reference.CLOSE**2),

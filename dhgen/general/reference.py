@@ -34,6 +34,7 @@ STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearl
 STEPS_FROM_AFAR = 40
 RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
 SAME = 1e-6  # solutions closer than this are one [rad]
+TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 # How far, and where to, the pose is moved when both formulations fail: where roots crowd, they
@@ -117,18 +118,32 @@ class _Search:
             self.singular.add(place)
         return place
 
+    def _merged(self) -> list[int]:
+        """All but singular solutions, known less well, that lie together with an earlier one."""
+        kept: list[int] = []
+        for i, theta in enumerate(self.found):
+            others = [self.found[j] for j in kept if j in self.singular]
+            gaps = [_gap(theta, other) for other in others if i in self.singular]
+            if min(gaps, default=np.inf) >= TOGETHER:
+                kept.append(i)
+        return kept
+
     def _place(self, theta: FloatArray) -> int:
         """The place of the same solution, or the next free one."""
         for i, known in enumerate(self.found):
-            gap = np.abs(np.remainder(theta - known + np.pi, 2 * np.pi) - np.pi)
-            if gap.max() < SAME:
+            if _gap(theta, known) < SAME:
                 return i
         return len(self.found)
 
     def result(self, *, complete: bool) -> Solved:
-        order = sorted(range(len(self.found)), key=lambda i: tuple(np.round(self.found[i], 9)))
+        order = sorted(self._merged(), key=lambda i: tuple(np.round(self.found[i], 9)))
         q = np.array([self.found[i] for i in order]).reshape(-1, 6)
         return Solved(q, np.array([self.residuals[i] for i in order]), complete)
+
+
+def _gap(a: FloatArray, b: FloatArray) -> float:
+    """The largest difference of two joint vectors, modulo turns."""
+    return float(np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi).max())
 
 
 def _attempt(kernel: GeneralKernel, search: _Search) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -22,7 +24,7 @@ def check(name: str, T: np.ndarray, q: np.ndarray, residual: np.ndarray) -> None
     assert (residual < 1e-9).all()
     for i, row in enumerate(q):
         np.testing.assert_allclose(forward(TABLES[name], row), T, atol=1e-9)
-        assert (gap(q[:i], row) > 1e-6).all()
+        assert (gap(q[:i], row) > 1e-7).all()
     assert (np.diff(q[:, 0]) > -1e-9).all()
     assert ((q > -np.pi) & (q <= np.pi)).all()
 
@@ -61,6 +63,18 @@ def test_all_agree(name: str) -> None:
         expected = compiled(name)(T)[0]
         np.testing.assert_allclose(plain_python(name)(T)[0], expected, atol=1e-8)
         np.testing.assert_allclose(solve(T, kernel(name)).q, expected, atol=1e-8)
+
+
+def test_the_closed_form_of_an_offset_wrist() -> None:
+    assert kernel("xarm6").wrist is not None
+    assert kernel("jaco2").wrist is None
+    assert kernel("general").wrist is None
+
+
+def test_without_the_closed_form() -> None:
+    plain = replace(kernel("xarm6"), wrist=None)
+    for _, T in poses("xarm6", 3, seed=5):
+        np.testing.assert_allclose(solve(T, plain).q, compiled("xarm6")(T)[0], atol=1e-8)
 
 
 def test_sixteen_solutions() -> None:
