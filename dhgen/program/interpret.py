@@ -10,8 +10,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen.general.reference import solve
 from dhgen.program.circle import circle_roots
-from dhgen.program.ir import Apply, Guard, Integer, Joint, Let, Pose, Roots, Variable
+from dhgen.program.ir import (
+    Apply,
+    GeneralRoots,
+    Guard,
+    Integer,
+    Joint,
+    Let,
+    Pose,
+    Roots,
+    Variable,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -87,6 +98,8 @@ class _Run:
                     self._values[statement.name] = self._value(statement.expression)
                 elif isinstance(statement, Roots):
                     self._values[self._program.axes[statement.axis].name] = self._roots(statement)
+                elif isinstance(statement, GeneralRoots):
+                    self._values |= self._general_roots(statement)
                 elif isinstance(statement, Guard):
                     alive &= self._value(statement.condition)
             joints = [self._flat(self._value(output)) for output in self._program.outputs]
@@ -107,6 +120,14 @@ class _Run:
         flat = np.stack([value.reshape(-1) for value in values], axis=-1)
         found = np.array([circle_roots(*row) for row in flat.tolist()]).reshape(*shape, -1)
         return np.moveaxis(found, -1, statement.axis + 1).squeeze(statement.axis + 2)
+
+    def _general_roots(self, statement: GeneralRoots) -> dict[str, Array]:
+        """The angles of all solutions along the only axis."""
+        found = np.full((*self._shape, len(statement.names)), np.nan)
+        for row, pose in zip(found, self._poses, strict=True):
+            q = solve(pose, statement.kernel).q
+            row[: len(q)] = q
+        return {name: found[..., place] for place, name in enumerate(statement.names)}
 
     def _flat(self, value: Array) -> Array:
         return np.broadcast_to(value, self._shape).reshape(self._shape[0], -1).copy()

@@ -23,6 +23,8 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from dhgen.general.kernel import GeneralKernel
+
 Operator = Literal[
     "add",
     "sub",
@@ -173,6 +175,25 @@ class Roots:
 
 
 @dataclass(frozen=True, slots=True)
+class GeneralRoots:
+    """All solutions of a loop of six turns: the angles of all joints for every place of an axis.
+
+    Places without a solution hold NaN.
+
+    Attributes:
+        axis: Position in `Program.axes` of the axis that chooses the solution.
+        names: The six angles.
+        kernel: What the algorithm knows of the arm.
+        axes: None: the pose alone decides.
+    """
+
+    axis: int
+    names: tuple[str, ...]
+    kernel: GeneralKernel
+    axes: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Heading:
     """The step that the following statements belong to.
 
@@ -185,7 +206,7 @@ class Heading:
     detail: str = ""
 
 
-Statement = Let | Guard | Roots | Heading
+Statement = Let | Guard | Roots | GeneralRoots | Heading
 
 
 @dataclass(frozen=True, slots=True)

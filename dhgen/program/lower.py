@@ -10,6 +10,7 @@ from dhgen.paul.branches import branch_words
 from dhgen.paul.problem import task_entries
 from dhgen.program.angles import Angles
 from dhgen.program.builder import Builder
+from dhgen.program.general import general_program
 from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
 from dhgen.program.polynomials import PolynomialLowering
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 def lower(derivation: Derivation) -> Program:
     """The program of a derivation."""
+    if derivation.general is not None:
+        return general_program(derivation.problem.algebra.chain, derivation.general)
     return Lowering(derivation).run()
 
 

@@ -1,23 +1,20 @@
 """Names of the emitted code's own variables and functions, in any target: values get others."""
 
-RESERVED = frozenset(
-    {
-        "T",
-        "J",
-        "R",
-        "q",
-        "q_seed",
-        "q_free",
-        "seed",
-        "free_joints",
-        "status",
-        "row",
-        "pose",
-        "joint",
-    }
-    | {"math", "np", "njit", "prange", "fk", "ik", "ik_all", "ik_into", "ik_batch", "jacobian"}
-    | {"solve", "wrap", "turn", "turned", "inside", "misfit", "straighten", "attempt", "lowest"}
-    | {"highest", "weight", "revolute", "read_pose", "choose_again", "i1", "i2", "i3", "i4"}
-    | {"NAME", "DOF", "JOINT_TYPES", "JOINT_LIMITS", "BRANCHES", "MAX_SOLUTIONS", "FREE_JOINTS"}
-    | {"OK", "UNREACHABLE", "FREE_JOINT", "OUT_OF_LIMITS", "INVALID_POSE", "LOST", "Unreachable"}
-)
+_SOLVER = """
+J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into inside jacobian joint
+lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
+T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
+"""
+
+_C = """
+G LOST after all angle attempt before choose_again circle_roots count distance given here high i
+inner j k least left length lost low middle misfit miss moved n nearest outer read_pose result right
+search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
+"""
+
+_PYTHON = """
+BRANCHES DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_TYPES MAX_SOLUTIONS NAME OK
+OUT_OF_LIMITS UNREACHABLE Unreachable math njit np prange
+"""
+
+RESERVED = frozenset(f"{_SOLVER} {_C} {_PYTHON}".split())

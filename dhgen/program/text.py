@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Guard, Heading, Integer, Joint, Let, Pose, Roots, Variable
+from dhgen.program.ir import (
+    Apply,
+    GeneralRoots,
+    Guard,
+    Heading,
+    Integer,
+    Joint,
+    Let,
+    Pose,
+    Roots,
+    Variable,
+)
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program, Statement
@@ -33,6 +44,8 @@ def _statement(program: Program, statement: Statement) -> str:
         case Roots(axis, coefficients, axes):
             texts = ", ".join(map(expression_text, coefficients))
             return f"  {program.axes[axis].name}{signs((*axes, axis))} = roots({texts})"
+        case GeneralRoots(axis, names):
+            return f"  {', '.join(names)}{signs((axis,))} = solutions of the general 6R loop"
         case Guard(condition, axes, failure):
             return f"  guard{signs(axes)} {expression_text(condition)}  ({failure.value})"
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.general.emit import c_source
 from dhgen.targets.c_language import C
 from dhgen.targets.layout import WIDTH, call, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
+from dhgen.targets.walk import general_kernel
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -41,8 +43,8 @@ def _texts(module: SolverModule) -> dict[str, object]:
     values = module_values(module)
     return {
         "about": paragraph(f"{module.name}: {values['title']}", " * "),
-        "made_h": paragraph(made_text(module, "c/solver.h.jinja"), " * "),
-        "made_c": paragraph(made_text(module, "c/solver.c.jinja"), " * "),
+        "made_h": made_text(module, "c/solver.h.jinja", " * "),
+        "made_c": made_text(module, "c/solver.c.jinja", " * "),
         "frames": paragraph(
             f"{frames}{module.length_unit}, angles in rad. {values['task']}", " * "
         ),
@@ -99,10 +101,12 @@ def _functions(module: SolverModule) -> dict[str, str]:
 def _bodies(module: SolverModule) -> dict[str, object]:
     """The programs as lines."""
     language = C()
+    kernel = general_kernel(module.solver)
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": _entries(module.solver),
+        "general": "" if kernel is None else c_source(kernel, module.name),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),

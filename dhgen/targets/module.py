@@ -10,7 +10,15 @@ from dhgen.paul.branches import branch_labels
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import JointKind, TaskKind
-from dhgen.targets.walk import chooses_again, finds_roots, merged_constants, reads, uses
+from dhgen.targets.layout import paragraph
+from dhgen.targets.walk import (
+    chooses_again,
+    finds_roots,
+    general_kernel,
+    merged_constants,
+    reads,
+    uses,
+)
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -98,6 +106,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "has_turns": "R" in module.joint_types,
         "free_count": len(chain.free),
         "free_list": ", ".join(map(str, chain.free)),
+        "uses_general": general_kernel(module.solver) is not None,
         "uses_circle": finds_roots(module.solver),
         "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
         "uses_wrap": any(uses(program, "wrap") for program in module.programs),
@@ -116,13 +125,12 @@ def module_values(module: SolverModule) -> dict[str, object]:
     }
 
 
-def made_text(module: SolverModule, template: str) -> str:
-    """Where a file comes from."""
-    return (
-        f"Inverse kinematics, generated from {module.source} and templates/{template}. "
-        f"Do not edit: run dhgen {module.source}. "
-        f"The formulas and where they come from: {module.name}.md."
-    )
+def made_text(module: SolverModule, template: str, indent: str) -> str:
+    """Where a file comes from; the lines after the first are indented."""
+    made = f"Inverse kinematics, generated from {module.source} and templates/{template}."
+    mended = f"Do not edit: run dhgen {module.source}."
+    told = f"The formulas and where they come from: {module.name}.md."
+    return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 
 def plain(text: str) -> str:

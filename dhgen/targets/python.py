@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.robot.robot import TaskKind
+from dhgen.general.emit import python_source
 from dhgen.targets.layout import WIDTH, listed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.python_language import Python
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
+from dhgen.targets.walk import general_kernel
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -40,7 +42,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
     given = [f"math.isfinite(q_free[{place}])" for place in range(count)]
     return {
         "about": paragraph(f"{module.name}: {str(values['title']).rstrip('.')}.", ""),
-        "made": paragraph(made_text(module, "python/solver.py.jinja"), ""),
+        "made": made_text(module, "python/solver.py.jinja", ""),
         "frames": paragraph(frames, ""),
         "limit_pairs": [(repr(pair[0]), repr(pair[1])) if pair else none for pair in limits],
         "branches": module.branches,
@@ -58,10 +60,12 @@ def _texts(module: SolverModule) -> dict[str, object]:
 def _bodies(module: SolverModule) -> dict[str, object]:
     """The programs as lines."""
     language = Python()
+    kernel = general_kernel(module.solver)
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": _entries(module.solver),
+        "general": "" if kernel is None else python_source(kernel, module.name),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_cells": _cells(forward, 4),

@@ -1,0 +1,63 @@
+"""No value takes a name that something else has, in any program or target."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhgen.program.builder import Builder
+from dhgen.program.ir import Let
+from dhgen.program.reserved import RESERVED
+from dhgen.robot.reserved import C_KEYWORDS, C_LIBRARY
+from tests.derivation.stories import NAMES, ROBOTS, story
+
+if TYPE_CHECKING:
+    from dhgen.program.ir import Program
+
+
+def names(program: Program) -> list[str]:
+    """Every name that a program gives."""
+    lets = [s.name for s in program.body if isinstance(s, Let)]
+    return lets + [c.name for c in program.constants] + [axis.name for axis in program.axes]
+
+
+@pytest.mark.parametrize("robot", NAMES)
+def test_names_are_unique_and_free(robot: str) -> None:
+    given = names(story(robot).program)
+    assert len(given) == len(set(given))
+    assert not RESERVED & set(given)
+    assert all(re.fullmatch(r"[A-Za-z]\w*", name) for name in given)
+
+
+def test_the_same_wish_twice() -> None:
+    builder = Builder({"taken"})
+    nodes = [
+        builder.name(builder.apply("sqrt", builder.pose(1, column)), "taken") for column in (1, 2)
+    ]
+    program = builder.finish("t", {"q1": nodes[0], "q2": nodes[1]}, [])
+    given = names(program)
+    assert len(set(given)) == 2
+    assert "taken" not in given
+
+
+@pytest.mark.parametrize("name", ["status", "row", "turn", "solve", "e1", "T11", "k1"])
+def test_a_constant_of_a_name_in_use(name: str) -> None:
+    builder = Builder({name, name + "_"})
+    nodes = [builder.constant(each, 1.5, "a test") for each in (name, name + "_")]
+    sign = builder.sign(("left", "right"), 1)
+    squares = builder.mul(builder.add(*nodes), builder.mul(sign, builder.pose(1, 1)))
+    given = names(builder.finish("t", {"q1": squares}, []))
+    assert len(given) == len(set(given))
+    assert not RESERVED & set(given)
+
+
+def test_what_the_templates_use_is_reserved() -> None:
+    """A constant of such a name would be hidden by the template's own, or hide it."""
+    template = (ROBOTS.parent / "templates/c/solver.c.jinja").read_text(encoding="utf-8")
+    code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}", " ", template, flags=re.DOTALL)
+    code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*', "", code, flags=re.DOTALL)
+    used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
+    assert {"solve", "misfit", "seed"} <= used
+    assert not used - RESERVED
