@@ -60,6 +60,7 @@ class Graph:
         self._used: set[str] = set()
         self._index: dict[object, Node] = {}
         self._formulas: dict[Node, Formula] = {}
+        self._renamed: dict[tuple[str, bool], str] = {}
 
     def integer(self, value: int) -> Node:
         """A whole number."""
@@ -71,16 +72,15 @@ class Graph:
         """A number with a name.
 
         Args:
-            name: Its name; if the targets use it themselves it gets a longer one.
+            name: Its name; if the targets use it themselves, or if it is no name of the arm's own
+                and the arm has one like it, it gets a longer one.
             value: Its value.
             meaning: For a comment.
             power: The power of a length that it is.
             derived: Whether it follows from the arm's own numbers.
         """
-        while name in RESERVED:
-            name += "_"
+        name = self._constant_name(name, derived=derived)
         self.constants.setdefault(name, NamedConstant(name, value, meaning, power, derived))
-        self._reserved.add(name)
         node = self._add(Entry(Variable(name), None, (), value=Fraction(value)))
         self._formulas.setdefault(node, Formula(name, power))
         return node
@@ -166,6 +166,16 @@ class Graph:
             self._index[key] = len(self.entries)
             self.entries.append(entry)
         return self._index[key]
+
+    def _constant_name(self, name: str, *, derived: bool) -> str:
+        """The same in every program of an arm: it depends on the arm's own names alone."""
+        if (name, derived) not in self._renamed:
+            wanted, own = name, not derived
+            while wanted in RESERVED or (wanted in self._reserved and not own):
+                wanted, own = wanted + "_", False
+            self._renamed[name, derived] = wanted
+            self._reserved.add(wanted)
+        return self._renamed[name, derived]
 
     def _is_integer(self, node: Node) -> bool:
         return isinstance(self.entries[node].leaf, Integer)

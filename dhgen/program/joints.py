@@ -69,4 +69,4 @@ def offset_constant(builder: Builder, joint: ChainJoint) -> Node:
     turns = joint.kind is JointKind.REVOLUTE
     meaning = f"offset of joint {joint.number}" + (" [rad]" if turns else "")
     power = 0 if turns else 1
-    return builder.constant(f"offset{joint.number}", joint.offset, meaning, power, derived=False)
+    return builder.constant(f"offset{joint.number}", joint.offset, meaning, power)

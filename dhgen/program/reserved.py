@@ -7,7 +7,8 @@ T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 """
 
 _C = """
-G LOST after all angle attempt before choose_again circle_roots count distance given here high i
+G LOST after all angle attempt before choose_again circle_roots count distance found general_roots
+given here high i residual
 inner j k least left length lost low middle misfit miss moved n nearest outer read_pose result right
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
 """

@@ -45,10 +45,17 @@ def test_the_same_wish_twice() -> None:
 @pytest.mark.parametrize("name", ["status", "row", "turn", "solve", "e1", "T11", "k1"])
 def test_a_constant_of_a_name_in_use(name: str) -> None:
     builder = Builder({name, name + "_"})
-    nodes = [builder.constant(each, 1.5, "a test") for each in (name, name + "_")]
+    nodes = [
+        builder.constant(each, value, "a test", derived=False)
+        for each, value in ((name, 1.5), (name + "_", 2.5), (name, 1.5))
+    ]
+    assert nodes[0] == nodes[2]
+    nodes = [builder.mul(node, builder.pose(2, column)) for column, node in enumerate(nodes[:2], 1)]
     sign = builder.sign(("left", "right"), 1)
     squares = builder.mul(builder.add(*nodes), builder.mul(sign, builder.pose(1, 1)))
-    given = names(builder.finish("t", {"q1": squares}, []))
+    program = builder.finish("t", {"q1": squares}, [])
+    assert sorted(c.value for c in program.constants) == [1.5, 2.5]
+    given = names(program)
     assert len(given) == len(set(given))
     assert not RESERVED & set(given)
 
@@ -61,3 +68,12 @@ def test_what_the_templates_use_is_reserved() -> None:
     used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
     assert {"solve", "misfit", "seed"} <= used
     assert not used - RESERVED
+
+
+def test_a_tolerance_of_a_name_that_the_arm_has() -> None:
+    builder = Builder({"free_limit"})
+    own = builder.constant("free_limit", 0.4, "link length", derived=False)
+    limit = builder.constant("free_limit", 1e-12, "a tolerance")
+    product = [builder.mul(node, builder.pose(1, 1)) for node in (own, limit)]
+    program = builder.finish("t", {"q1": product[0], "q2": product[1]}, [])
+    assert {c.name: c.value for c in program.constants} == {"free_limit": 0.4, "free_limit_": 1e-12}
