@@ -9,7 +9,7 @@ Axis 4 makes a fixed angle with E→W and has to be at right angles to z5.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot
+from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -76,14 +76,14 @@ def offset_wrist(loop: Loop) -> OffsetWrist | None:
     misses = (
         K0[2][2],
         K0[0][3] * K0[1][2] - K0[1][3] * K0[0][2],
-        hypot(K1[0][2], K1[1][2]),
+        _hypot(K1[0][2], K1[1][2]),
         K2[2][2],
         K2[2][3] - elbow,
         K3[2][2],
         K3[0][3] * K3[1][2] - K3[1][3] * K3[0][2],
     )
     x, y = (K2[i][3] + wrist_4 * K2[i][2] for i in range(2))
-    upper, lower = hypot(K1[0][3], K1[1][3]), hypot(x, y)
+    upper, lower = _hypot(K1[0][3], K1[1][3]), _hypot(x, y)
     if max(map(abs, misses)) > EXACT or min(upper, lower) < EXACT:
         return None
     cosine = (x * K2[0][2] + y * K2[1][2]) / lower
@@ -101,6 +101,11 @@ def wrist_at(
     frame: FloatArray = P @ back @ rigid_inverse(K4)
     W = frame[:3, 3] + arm.wrist_5 * frame[:3, 2] - [0.0, 0.0, arm.shoulder]
     return frame, W, frame[:3, 2]
+
+
+def _hypot(x: float, y: float) -> float:
+    """The length of a plane vector; a library's own may round differently elsewhere."""
+    return sqrt(x * x + y * y)
 
 
 def polynomial(arm: OffsetWrist, W: FloatArray, z5: FloatArray) -> float:
@@ -129,7 +134,7 @@ def candidates(
 ) -> Iterator[FloatArray]:
     """Joint angles (6,) near solutions whose sixth angle is a root."""
     frame, W, z5 = wrist_at(arm, links[4], P, np.cos(angle), np.sin(angle))
-    w, rho = float(W @ W), hypot(W[0], W[1])
+    w, rho = float(W @ W), _hypot(W[0], W[1])
     if rho < BARELY:
         return
     D = 4 * arm.upper**2 * w - (arm.upper**2 - arm.lower**2 + w) ** 2
