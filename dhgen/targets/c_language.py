@@ -22,6 +22,9 @@ _FUNCTIONS = {
 }
 
 
+MOST_WORDS = 4  # of an axis in a comment
+
+
 class C:
     """C99 as a scalar language."""
 
@@ -90,14 +93,21 @@ class C:
         arguments = ", ".join([*coefficients, name])
         return [f"double {name}[{axis.count}];", f"circle_roots({arguments});"]
 
+    def general_roots(self, axis: Axis) -> list[str]:
+        """Fills a table with all solutions of the general loop."""
+        name = f"{axis.name}_roots"
+        return [f"double {name}[{axis.count}][6];", f"general_roots(T, {name});"]
+
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name, count = f"i{loop.place + 1}", loop.axis.name, loop.axis.count
         value = f"{index} == 0 ? 1.0 : -1.0" if loop.is_sign else f"{name}_roots[{index}]"
-        meaning = ", ".join(loop.axis.meaning)
+        values = {each: f"{value}[{place}]" for place, each in enumerate(loop.names)}
+        meaning = loop.axis.meaning
+        words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
-            f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {meaning} */",
-            f"    const double {name} = {value};",
+            f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {words} */",
+            *(f"    const double {n} = {v};" for n, v in (values or {name: value}).items()),
         ]
 
     def close_loop(self) -> list[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Guard, Heading, Let, Roots
+from dhgen.program.ir import GeneralRoots, Guard, Heading, Let, Roots
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Axis, Program
@@ -22,16 +22,18 @@ class Loop:
         axis: The axis.
         place: Its number, from 0.
         is_sign: Whether it is a sign.
+        names: The variables of one place, where there are several.
         body: What is done for each value.
     """
 
     axis: Axis
     place: int
     is_sign: bool
+    names: tuple[str, ...]
     body: tuple[Nested, ...]
 
 
-Nested = Let | Guard | Roots | Heading | Loop
+Nested = Let | Guard | Roots | GeneralRoots | Heading | Loop
 
 
 def nest(program: Program) -> tuple[Nested, ...]:
@@ -54,11 +56,13 @@ def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ..
                 shown = heading
             body.append(statement)
     if depth < len(program.axes):
-        polynomials = {s.axis for s in program.body if isinstance(s, Roots)}
+        sources = {s.axis: s for s in program.body if isinstance(s, Roots | GeneralRoots)}
+        source = sources.get(depth)
+        names = source.names if isinstance(source, GeneralRoots) else ()
         inner = _level(program, depth + 1, told)
-        body.append(Loop(program.axes[depth], depth, depth not in polynomials, inner))
+        body.append(Loop(program.axes[depth], depth, source is None, names, inner))
     return tuple(body)
 
 
-def _depth(statement: Let | Guard | Roots) -> int:
+def _depth(statement: Let | Guard | Roots | GeneralRoots) -> int:
     return max(statement.axes, default=-1) + 1

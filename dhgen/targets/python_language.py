@@ -22,6 +22,9 @@ _FUNCTIONS = {
 }
 
 
+MOST_WORDS = 4  # of an axis in a comment
+
+
 class Python:
     """Python, in the part that numba compiles."""
 
@@ -88,13 +91,20 @@ class Python:
         """The roots of a polynomial as an array."""
         return [f"{axis.name}_roots = _circle_roots({', '.join(coefficients)})"]
 
+    def general_roots(self, axis: Axis) -> list[str]:
+        """All solutions of the general loop as a table."""
+        return [f"{axis.name}_roots = _general_roots(pose)"]
+
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name = f"i{loop.place + 1}", loop.axis.name
         value = f"1.0 - 2.0 * {index}" if loop.is_sign else f"{name}_roots[{index}]"
+        values = {n: f"{name}_roots[{index}, {k}]" for k, n in enumerate(loop.names)}
+        meaning, count = loop.axis.meaning, loop.axis.count
+        words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
-            f"for {index} in range({loop.axis.count}):  # {', '.join(loop.axis.meaning)}",
-            f"    {name} = {value}",
+            f"for {index} in range({count}):  # {words}",
+            *(f"    {n} = {v}" for n, v in (values or {name: value}).items()),
         ]
 
     def close_loop(self) -> list[str]:

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from dhgen.program.ir import Apply, Failure, Guard, Heading, Let, Pose, Roots, Variable
+from dhgen.program.ir import (
+    Apply,
+    Failure,
+    GeneralRoots,
+    Guard,
+    Heading,
+    Let,
+    Pose,
+    Roots,
+    Variable,
+)
 from dhgen.targets.dialect import Dialect, expression_text
 from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.nest import Loop, nest
@@ -36,6 +46,10 @@ class ScalarLanguage(Dialect, Protocol):
 
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
         """Finds the roots of a polynomial."""
+        ...
+
+    def general_roots(self, axis: Axis) -> list[str]:
+        """Finds all solutions of the general loop."""
         ...
 
     def open_loop(self, loop: Loop) -> list[str]:
@@ -124,6 +138,8 @@ class _Printer:
                 texts = [expression_text(each, language) for each in coefficients]
                 lines = _indented(language.roots(self._program.axes[axis], texts), indent)
                 return [part for line in lines for part in wrapped(line, indent)]
+            case GeneralRoots(axis):
+                return _indented(language.general_roots(self._program.axes[axis]), indent)
             case Guard():
                 return _indented(self._guard(node, depth), indent)
             case Loop(body=body):

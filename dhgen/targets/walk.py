@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Guard, Joint, Let, Roots
+from dhgen.program.ir import Apply, GeneralRoots, Guard, Joint, Let, Roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from dhgen.general.kernel import GeneralKernel
     from dhgen.program.ir import Expression, NamedConstant, Program
 
 
@@ -43,6 +44,12 @@ def reads(program: Program, role: str) -> bool:
 def finds_roots(program: Program) -> bool:
     """Whether roots of polynomials are looked for."""
     return any(isinstance(statement, Roots) for statement in program.body)
+
+
+def general_kernel(program: Program) -> GeneralKernel | None:
+    """The kernel of the general loop, where it is used."""
+    found = (s.kernel for s in program.body if isinstance(s, GeneralRoots))
+    return next(found, None)
 
 
 def chooses_again(program: Program) -> bool:
