@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/arm_3r.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/arm_3r.yaml. The formulas and where they come from: arm_3r.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the position T[0:3, 3] is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
 """
 
 import math
@@ -43,26 +43,26 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-free_tolerance1 = 1.15e-12  # a vector this short fixes no angle [length]
-d1 = 0.4  # joint offset 1
-a2 = 0.4  # link length 2
-d4 = 0.35  # z of the tool frame
-k2 = 0.27999999999999997  # 2 * (d4 * a2)
-k5 = 0.28250000000000003  # (a2 * a2) + (d4 * d4)
-longest2 = 0.5625  # square of the longest reach
-shortest2 = 0.0025000000000000044  # square of the shortest reach
-longest2_reach = 0.5625000000001725  # the same, longest by rounding
-shortest2_reach = 0.0024999999999885045  # the same, shortest by rounding
-longest2_apart = 0.5624999999999827  # the same, longest for merging
-shortest2_apart = 0.002500000000001154  # the same, shortest for merging
-k7 = 12.755102040816327  # 1 / ((2 * (d4 * a2)) * (2 * (d4 * a2)))
-free_square_tolerance2 = 1.3224999999999997e-24  # the same, squared [length^2]
+d1 = 0.4  # joint offset 1 [m]
+a2 = 0.4  # link length 2 [m]
+d4 = 0.35  # z of the tool frame [m]
+free_limit1 = 1.15e-12  # a length that fixes no angle [m]
+longest3 = 0.5625  # square of the longest reach [m^2]
+shortest3 = 0.0025000000000000044  # square of the shortest reach [m^2]
+longest3_reach = 0.5625000000001725  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.0024999999999885045  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.5624999999999827  # the longest, where branches merge [m^2]
+shortest3_apart = 0.002500000000001154  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.3224999999999997e-24  # square of a length that fixes no angle [m^2]
+k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
+k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
+k3 = 12.755102040816327  # 1 / ((2 * d4 * a2)^2) [m^-4]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -78,31 +78,31 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v13 = c1 * c2
-    v14 = s1 * c2
-    v15 = c1 * s2
-    v16 = s1 * s2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    T11 = v13 * c3 - v15 * s3
-    T21 = v14 * c3 - v16 * s3
-    v17 = v15 * c3 + v13 * s3
-    v18 = v16 * c3 + v14 * s3
-    T33 = s2 * s3 - c2 * c3
-    T14 = v13 * a2 - v17 * d4
-    T24 = v14 * a2 - v18 * d4
-    T34 = d1 - s2 * a2 + T33 * d4
-    T[0, 0] = T11
+    T11_ = x2_x * c3 - v1 * s3
+    T21_ = x2_y * c3 - v2 * s3
+    v3 = v1 * c3 + x2_x * s3
+    v4 = v2 * c3 + x2_y * s3
+    T33_ = s2 * s3 - c2 * c3
+    T14_ = x2_x * a2 - v3 * d4
+    T24_ = x2_y * a2 - v4 * d4
+    T34_ = d1 - s2 * a2 + T33_ * d4
+    T[0, 0] = T11_
     T[0, 1] = s1
-    T[0, 2] = -v17
-    T[0, 3] = T14
-    T[1, 0] = T21
+    T[0, 2] = -v3
+    T[0, 3] = T14_
+    T[1, 0] = T21_
     T[1, 1] = -c1
-    T[1, 2] = -v18
-    T[1, 3] = T24
+    T[1, 2] = -v4
+    T[1, 3] = T24_
     T[2, 0] = -(s2 * c3 + c2 * s3)
-    T[2, 2] = T33
-    T[2, 3] = T34
+    T[2, 2] = T33_
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -115,32 +115,30 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v13 = c1 * c2
-    v14 = s1 * c2
-    v15 = v13 * a2
-    v16 = v14 * a2
-    v17 = d1 - s2 * a2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 - s2 * a2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J21 = v15 - (c1 * s2 * c3 + v13 * s3) * d4
-    v18 = (s1 * s2 * c3 + v14 * s3) * d4
-    v19 = v16 - v18
-    v20 = v17 + (s2 * s3 - c2 * c3) * d4
-    J11 = v18 - v16
-    v21 = v20 - d1
-    J12 = c1 * v21
-    J22 = s1 * v21
-    v22 = v20 - v17
-    J13 = c1 * v22
-    J23 = s1 * v22
-    J[0, 0] = J11
+    J21 = p2_x - (c1 * s2 * c3 + x2_x * s3) * d4
+    v1 = p2_y - (s1 * s2 * c3 + x2_y * s3) * d4
+    v2 = p2_z + (s2 * s3 - c2 * c3) * d4
+    v3 = v2 - d1
+    J12 = c1 * v3
+    J22 = s1 * v3
+    v4 = v2 - p2_z
+    J13 = c1 * v4
+    J23 = s1 * v4
+    J[0, 0] = -v1
     J[0, 1] = J12
     J[0, 2] = J13
     J[1, 0] = J21
     J[1, 1] = J22
     J[1, 2] = J23
-    J[2, 1] = -(s1 * v19 + c1 * J21)
-    J[2, 2] = -(s1 * (v19 - v16) + c1 * (J21 - v15))
+    J[2, 1] = -(s1 * v1 + c1 * J21)
+    J[2, 2] = -(s1 * (v1 - p2_y) + c1 * (J21 - p2_x))
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[4, 1] = c1
@@ -150,62 +148,62 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
-    # theta1: type 2
-    w1 = math.sqrt(T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3])
-    free1 = w1 <= free_tolerance1
-    v18 = 1.0 if free1 else w1
+    # theta1, type 2: U1[3, 4]
+    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
 
-    # theta3: type 8
-    v21 = T[2, 3] - d1
-    v22 = v21 * v21
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    v1 = Z1_3 * Z1_3
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and free1:
-            continue
-        v19 = e1 / v18
-        c1 = math.cos(seed[0]) if free1 else -(T[0, 3] * v19)
-        s1 = math.sin(seed[0]) if free1 else -(T[1, 3] * v19)
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
         q1 = math.atan2(s1, c1)
-        v20 = w1 * e1
+        root1 = w1 * e1
 
-        # theta3: type 8
-        N3 = v22 + v20 * v20
-        K3 = N3 - k5
-        D3 = (longest2 - N3) * (N3 - shortest2)
-        apart3 = shortest2_apart < N3 and N3 < longest2_apart
-        if not (shortest2_reach <= N3 and N3 <= longest2_reach):
-            continue
+        # theta3
+        N3 = v1 + root1 * root1
+        K3 = N3 - k2
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v23 = k2 * K3 * k7
+        v2 = k1 * K3 * k3
 
-        # theta2: type 3
-        v25 = a2 + d4 * v23
-        v26 = v21 * v25
-        v28 = v20 * v25
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
+        Y1_2 = a2 + d4 * v2
+        v4 = Z1_3 * Y1_2
+        v5 = root1 * Y1_2
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
-            # theta3: type 8
+            # theta3
             if e2 < 0.0 and not apart3:
-                continue
-            c3 = k7 * (k2 * (w3 * e2))
-            q3 = math.atan2(-v23, c3)
+                continue  # both signs give the same
+            c3 = k3 * (k1 * (w3 * e2))
+            q3 = math.atan2(-v2, c3)
 
-            # theta2: type 3
-            v24 = d4 * c3
-            v27 = v20 * v24 - v26
-            v29 = v21 * v24 + v28
-            w2 = math.sqrt(v27 * v27 + v29 * v29)
-            free2 = w2 <= free_square_tolerance2
-            v30 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else -(v29 * v30)
-            s2 = math.sin(seed[1]) if free2 else v27 * v30
+            # theta2
+            v3 = d4 * c3
+            S2 = root1 * v3 - v4
+            v6 = Z1_3 * v3 + v5
+            w2 = math.sqrt(S2 * S2 + v6 * v6)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else -(v6 * factor2)
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = math.atan2(s2, c2)
             row = 2 * i1 + i2
             q[row, 0] = q1
@@ -215,22 +213,25 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    return 1
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -242,15 +243,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (4, 3) and status (4,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(4):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -258,7 +259,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(3):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -272,13 +274,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (4, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (4,); uint8.
-        q_seed: Values for joints that are indeterminate (3,).
+        q_seed: Values for joints that are indeterminate (3,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -287,7 +291,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (4, 3) and status (4,); row b is always branch BRANCHES[b].
+    """All solutions: q (4, 3) and status (4,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -296,12 +302,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((4, 3))
     status = np.empty(4, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -314,10 +322,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(4) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(4) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -327,35 +335,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 4, 3) and status (N, 4)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 4, 3) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 4, 3))
     status = np.empty((len(T), 4), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -368,8 +378,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

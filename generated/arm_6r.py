@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/arm_6r.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/arm_6r.yaml. The formulas and where they come from: arm_6r.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -50,28 +50,28 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-d6 = 0.1  # joint offset 6
-free_tolerance1 = 1.25e-12  # a vector this short fixes no angle [length]
-d1 = 0.4  # joint offset 1
-a2 = 0.4  # link length 2
-d4 = 0.35  # joint offset 4
-k2 = 0.27999999999999997  # 2 * (d4 * a2)
-k5 = 0.28250000000000003  # (a2 * a2) + (d4 * d4)
-longest2 = 0.5625  # square of the longest reach
-shortest2 = 0.0025000000000000044  # square of the shortest reach
-longest2_reach = 0.5625000000001875  # the same, longest by rounding
-shortest2_reach = 0.002499999999987505  # the same, shortest by rounding
-longest2_apart = 0.5624999999999812  # the same, longest for merging
-shortest2_apart = 0.0025000000000012543  # the same, shortest for merging
-k7 = 12.755102040816327  # 1 / ((2 * (d4 * a2)) * (2 * (d4 * a2)))
-free_square_tolerance2 = 1.5624999999999999e-24  # the same, squared [length^2]
-free_tolerance = 1e-12  # a vector this short fixes no angle
+d1 = 0.4  # joint offset 1 [m]
+a2 = 0.4  # link length 2 [m]
+d4 = 0.35  # joint offset 4 [m]
+d6 = 0.1  # joint offset 6 [m]
+free_limit1 = 1.25e-12  # a length that fixes no angle [m]
+longest3 = 0.5625  # square of the longest reach [m^2]
+shortest3 = 0.0025000000000000044  # square of the shortest reach [m^2]
+longest3_reach = 0.5625000000001875  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.002499999999987505  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.5624999999999812  # the longest, where branches merge [m^2]
+shortest3_apart = 0.0025000000000012543  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.5624999999999999e-24  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
+k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
+k3 = 12.755102040816327  # 1 / ((2 * d4 * a2)^2) [m^-4]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -87,56 +87,56 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v22 = c1 * c2
-    v23 = s1 * c2
-    v24 = c1 * s2
-    v25 = s1 * s2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    v26 = v22 * c3 - v24 * s3
-    v27 = v23 * c3 - v25 * s3
-    v28 = s2 * c3 + c2 * s3
-    v29 = v24 * c3 + v22 * s3
-    v30 = v25 * c3 + v23 * s3
-    v31 = s2 * s3 - c2 * c3
+    x3_x = x2_x * c3 - v1 * s3
+    x3_y = x2_y * c3 - v2 * s3
+    v3 = s2 * c3 + c2 * s3
+    v4 = v1 * c3 + x2_x * s3
+    v5 = v2 * c3 + x2_y * s3
+    z3_z = s2 * s3 - c2 * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    v32 = v26 * c4 + s1 * s4
-    v33 = v27 * c4 - c1 * s4
-    v34 = v28 * c4
-    v35 = s1 * c4 - v26 * s4
-    v36 = c1 * c4 + v27 * s4
-    v37 = v28 * s4
+    x4_x = x3_x * c4 + s1 * s4
+    x4_y = x3_y * c4 - c1 * s4
+    v6 = v3 * c4
+    y5_x = s1 * c4 - x3_x * s4
+    z4_y = c1 * c4 + x3_y * s4
+    y5_z = v3 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    v38 = v32 * c5 - v29 * s5
-    v39 = v33 * c5 - v30 * s5
-    v40 = v31 * s5 - v34 * c5
-    v41 = v29 * c5 + v32 * s5
-    v42 = v30 * c5 + v33 * s5
-    T33 = v31 * c5 + v34 * s5
+    x5_x = x4_x * c5 - v4 * s5
+    x5_y = x4_y * c5 - v5 * s5
+    x5_z = z3_z * s5 - v6 * c5
+    v7 = v4 * c5 + x4_x * s5
+    v8 = v5 * c5 + x4_y * s5
+    T33_ = z3_z * c5 + v6 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11 = v38 * c6 + v35 * s6
-    T21 = v39 * c6 - v36 * s6
-    T31 = v40 * c6 + v37 * s6
-    T12 = v35 * c6 - v38 * s6
-    T32 = v37 * c6 - v40 * s6
-    T14 = v22 * a2 - v29 * d4 - v41 * d6
-    T24 = v23 * a2 - v30 * d4 - v42 * d6
-    T34 = d1 - s2 * a2 + v31 * d4 + T33 * d6
-    T[0, 0] = T11
-    T[0, 1] = T12
-    T[0, 2] = -v41
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = -(v36 * c6 + v39 * s6)
-    T[1, 2] = -v42
-    T[1, 3] = T24
-    T[2, 0] = T31
-    T[2, 1] = T32
-    T[2, 2] = T33
-    T[2, 3] = T34
+    T11_ = x5_x * c6 + y5_x * s6
+    T21_ = x5_y * c6 - z4_y * s6
+    T31_ = x5_z * c6 + y5_z * s6
+    T12_ = y5_x * c6 - x5_x * s6
+    T32_ = y5_z * c6 - x5_z * s6
+    T14_ = x2_x * a2 - v4 * d4 - v7 * d6
+    T24_ = x2_y * a2 - v5 * d4 - v8 * d6
+    T34_ = d1 - s2 * a2 + z3_z * d4 + T33_ * d6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = -v7
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(z4_y * c6 + x5_y * s6)
+    T[1, 2] = -v8
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -149,190 +149,188 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v29 = c1 * c2
-    v30 = s1 * c2
-    v31 = c1 * s2
-    v32 = s1 * s2
-    v33 = v29 * a2
-    v34 = v30 * a2
-    v35 = d1 - s2 * a2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 - s2 * a2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    v36 = v29 * c3 - v31 * s3
-    v37 = v30 * c3 - v32 * s3
-    v38 = s2 * c3 + c2 * s3
-    v39 = v31 * c3 + v29 * s3
-    v40 = v32 * c3 + v30 * s3
+    x3_x = x2_x * c3 - v1 * s3
+    x3_y = x2_y * c3 - v2 * s3
+    v3 = s2 * c3 + c2 * s3
+    v4 = v1 * c3 + x2_x * s3
+    v5 = v2 * c3 + x2_y * s3
     J64 = s2 * s3 - c2 * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J55 = c1 * c4 + v37 * s4
-    v41 = v38 * s4
-    v42 = v33 - v39 * d4
-    v43 = v34 - v40 * d4
-    v44 = v35 + J64 * d4
-    J45 = v36 * s4 - s1 * c4
+    J55 = c1 * c4 + x3_y * s4
+    y5_z = v3 * s4
+    p4_x = p2_x - v4 * d4
+    p4_y = p2_y - v5 * d4
+    p4_z = p2_z + J64 * d4
+    J45 = x3_x * s4 - s1 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    v45 = v39 * c5 + (v36 * c4 + s1 * s4) * s5
-    v46 = v40 * c5 + (v37 * c4 - c1 * s4) * s5
-    J66 = J64 * c5 + v38 * c4 * s5
-    J21 = v42 - v45 * d6
-    v47 = v46 * d6
-    v48 = v43 - v47
-    v49 = v44 + J66 * d6
-    J11 = v47 - v43
-    v50 = v49 - d1
-    J12 = c1 * v50
-    J22 = s1 * v50
-    v51 = J21 - v33
-    v52 = v48 - v34
-    v53 = v49 - v35
-    J13 = c1 * v53
-    J23 = s1 * v53
-    J24 = J64 * v51 + v39 * v53
-    J34 = v40 * v51 - v39 * v52
-    v54 = J21 - v42
-    v55 = v48 - v43
-    v56 = v49 - v44
-    J15 = J55 * v56 + v41 * v55
-    J35 = J45 * v55 - J55 * v54
-    J26 = J66 * v54 + v45 * v56
-    J36 = v46 * v54 - v45 * v55
-    J[0, 0] = J11
+    v6 = v4 * c5 + (x3_x * c4 + s1 * s4) * s5
+    v7 = v5 * c5 + (x3_y * c4 - c1 * s4) * s5
+    J66 = J64 * c5 + v3 * c4 * s5
+    J21 = p4_x - v6 * d6
+    p6_y = p4_y - v7 * d6
+    p6_z = p4_z + J66 * d6
+    v8 = p6_z - d1
+    J12 = c1 * v8
+    J22 = s1 * v8
+    v9 = J21 - p2_x
+    v10 = p6_y - p2_y
+    v11 = p6_z - p2_z
+    J13 = c1 * v11
+    J23 = s1 * v11
+    J24 = J64 * v9 + v4 * v11
+    J34 = v5 * v9 - v4 * v10
+    v12 = J21 - p4_x
+    v13 = p6_y - p4_y
+    v14 = p6_z - p4_z
+    J15 = J55 * v14 + y5_z * v13
+    J35 = J45 * v13 - J55 * v12
+    J26 = J66 * v12 + v6 * v14
+    J36 = v7 * v12 - v6 * v13
+    J[0, 0] = -p6_y
     J[0, 1] = J12
     J[0, 2] = J13
-    J[0, 3] = -(v40 * v53 + J64 * v52)
+    J[0, 3] = -(v5 * v11 + J64 * v10)
     J[0, 4] = J15
-    J[0, 5] = -(v46 * v56 + J66 * v55)
+    J[0, 5] = -(v7 * v14 + J66 * v13)
     J[1, 0] = J21
     J[1, 1] = J22
     J[1, 2] = J23
     J[1, 3] = J24
-    J[1, 4] = -(v41 * v54 + J45 * v56)
+    J[1, 4] = -(y5_z * v12 + J45 * v14)
     J[1, 5] = J26
-    J[2, 1] = -(s1 * v48 + c1 * J21)
-    J[2, 2] = -(s1 * v52 + c1 * v51)
+    J[2, 1] = -(s1 * p6_y + c1 * J21)
+    J[2, 2] = -(s1 * v10 + c1 * v9)
     J[2, 3] = J34
     J[2, 4] = J35
     J[2, 5] = J36
     J[3, 1] = -s1
     J[3, 2] = -s1
-    J[3, 3] = -v39
+    J[3, 3] = -v4
     J[3, 4] = J45
-    J[3, 5] = -v45
+    J[3, 5] = -v6
     J[4, 1] = c1
     J[4, 2] = c1
-    J[4, 3] = -v40
+    J[4, 3] = -v5
     J[4, 4] = J55
-    J[4, 5] = -v46
+    J[4, 5] = -v7
     J[5, 0] = 1.0
     J[5, 3] = J64
-    J[5, 4] = -v41
+    J[5, 4] = -y5_z
     J[5, 5] = J66
     return J
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1: type 2
-    wx = T[0, 3] - T[0, 2] * d6
-    Y1 = d6 * T[1, 2] - T[1, 3]
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - T13 * d6
+    Y1 = d6 * T23 - T24
     w1 = math.sqrt(wx * wx + Y1 * Y1)
-    free1 = w1 <= free_tolerance1
-    v33 = 1.0 if free1 else w1
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
 
-    # theta3: type 8
-    wz = T[2, 3] - d6 * T[2, 2]
-    v36 = wz - d1
-    v37 = v36 * v36
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    wz = T34 - d6 * T33
+    Z1_3 = wz - d1
+    v1 = Z1_3 * Z1_3
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and free1:
-            continue
-        v34 = e1 / v33
-        c1 = math.cos(seed[0]) if free1 else -(wx * v34)
-        s1 = math.sin(seed[0]) if free1 else Y1 * v34
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(wx * factor1)
+        s1 = math.sin(seed[0]) if free1 else Y1 * factor1
         q1 = math.atan2(s1, c1)
-        v35 = w1 * e1
+        root1 = w1 * e1
 
-        # theta3: type 8
-        N3 = v37 + v35 * v35
-        K3 = N3 - k5
-        D3 = (longest2 - N3) * (N3 - shortest2)
-        apart3 = shortest2_apart < N3 and N3 < longest2_apart
-        if not (shortest2_reach <= N3 and N3 <= longest2_reach):
-            continue
+        # theta3
+        N3 = v1 + root1 * root1
+        K3 = N3 - k2
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v38 = k2 * K3 * k7
+        v2 = k1 * K3 * k3
 
-        # theta2: type 3
-        v40 = a2 + d4 * v38
-        v41 = v36 * v40
-        v43 = v35 * v40
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+        Y1_2 = a2 + d4 * v2
+        v4 = Z1_3 * Y1_2
+        v5 = root1 * Y1_2
 
-        # theta4: type 2
-        v46 = T[0, 2] * c1 + T[1, 2] * s1
-        Y4 = T[0, 2] * s1 - T[1, 2] * c1
-        v47 = Y4 * Y4
+        # theta4, type 2: U4[3, 3]
+        v7 = T13 * c1 + T23 * s1
+        Y4 = T13 * s1 - T23 * c1
+        v8 = Y4 * Y4
 
-        # theta6: type 3
-        v50 = T[1, 1] * c1 - T[0, 1] * s1
-        v51 = T[0, 1] * c1 + T[1, 1] * s1
-        v53 = T[1, 0] * c1 - T[0, 0] * s1
-        v54 = T[0, 0] * c1 + T[1, 0] * s1
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v9 = T22 * c1 - T12 * s1
+        v10 = T12 * c1 + T22 * s1
+        v12 = T21 * c1 - T11 * s1
+        v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
-            # theta3: type 8
+            # theta3
             if e2 < 0.0 and not apart3:
-                continue
-            c3 = k7 * (k2 * (w3 * e2))
-            q3 = math.atan2(-v38, c3)
+                continue  # both signs give the same
+            c3 = k3 * (k1 * (w3 * e2))
+            q3 = math.atan2(-v2, c3)
 
-            # theta2: type 3
-            v39 = d4 * c3
-            v42 = v35 * v39 - v41
-            v44 = v36 * v39 + v43
-            w2 = math.sqrt(v42 * v42 + v44 * v44)
-            free2 = w2 <= free_square_tolerance2
-            v45 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else -(v44 * v45)
-            s2 = math.sin(seed[1]) if free2 else v42 * v45
+            # theta2
+            v3 = d4 * c3
+            S2 = root1 * v3 - v4
+            v6 = Z1_3 * v3 + v5
+            w2 = math.sqrt(S2 * S2 + v6 * v6)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else -(v6 * factor2)
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = math.atan2(s2, c2)
 
-            # theta4: type 2
-            c23 = c3 * c2 + v38 * s2
-            s23 = c3 * s2 - v38 * c2
-            X4 = T[2, 2] * s23 - c23 * v46
-            w4 = math.sqrt(X4 * X4 + v47)
-            free4 = w4 <= free_tolerance
-            v48 = 1.0 if free4 else w4
+            # theta4
+            c23 = c3 * c2 + v2 * s2
+            s23 = c3 * s2 - v2 * c2
+            X4 = T33 * s23 - c23 * v7
+            w4 = math.sqrt(X4 * X4 + v8)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
 
-            # theta6: type 3
-            v52 = c23 * v51 - T[2, 1] * s23
-            v55 = c23 * v54 - T[2, 0] * s23
+            # theta6
+            v11 = c23 * v10 - T32 * s23
+            v14 = c23 * v13 - T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
-                # theta4: type 2
+                # theta4
                 if e3 < 0.0 and free4:
-                    continue
-                v49 = e3 / v48
-                c4 = math.cos(seed[3]) if free4 else -(X4 * v49)
-                s4 = math.sin(seed[3]) if free4 else Y4 * v49
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = math.atan2(s4, c4)
 
-                # theta5: type 3
-                q5 = math.atan2(-(w4 * e3), -(T[2, 2] * c23 + s23 * v46))
+                # theta5, type 3: U4[2, 3] and U4[1, 3]
+                q5 = math.atan2(-(w4 * e3), -(T33 * c23 + s23 * v7))
 
-                # theta6: type 3
-                q6 = math.atan2(-(c4 * v53 + s4 * v55), -(c4 * v50 + s4 * v52))
+                # theta6
+                q6 = math.atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -344,49 +342,73 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -398,15 +420,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (8, 6) and status (8,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(8):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(6):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -414,7 +436,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -428,13 +451,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (8, 6), NaN where there is no solution; float64.
         status: Filled with what each row holds (8,); uint8.
-        q_seed: Values for joints that are indeterminate (6,).
+        q_seed: Values for joints that are indeterminate (6,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -443,7 +468,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (8, 6) and status (8,); row b is always branch BRANCHES[b].
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -452,12 +479,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((8, 6))
     status = np.empty(8, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (6,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -470,10 +499,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(8) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -483,35 +512,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 8, 6) and status (N, 8)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 8, 6))
     status = np.empty((len(T), 8), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -524,8 +555,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

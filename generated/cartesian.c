@@ -1,6 +1,8 @@
 /* cartesian: Cartesian arm
+ *
  * Inverse kinematics, generated from robots/cartesian.yaml and templates/c/solver.c.jinja.
- * Do not edit: run dhgen robots/cartesian.yaml. The formulas and where they come from: cartesian.md.
+ * Do not edit: run dhgen robots/cartesian.yaml. The formulas and where they come from:
+ * cartesian.md.
  */
 #include "cartesian.h"
 
@@ -13,8 +15,8 @@ const char *const cartesian_branches[1] = {
 
 static const double lowest[3] = { 0.0, 0.0, 0.0 };
 static const double highest[3] = { 0.8, 0.6, 1.2 };
-static const double turn = 6.283185307179586;
-static const double weight[3] = { 1.0, 1.0, 1.0 }; /* of squared differences: lengths by arm size */
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[3] = { 1.0, 1.0, 1.0 };
 
 void cartesian_fk(const double q[3], double T[16])
 {
@@ -36,44 +38,31 @@ void cartesian_jacobian(const double q[3], double J[18])
     J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     return 1;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[3],
-    double q[1][3], unsigned char status[1])
+static void solve(
+    const double T[16], const double seed[3], double q[1][3], unsigned char status[1])
 {
     (void)seed;
-    const int row = 0;
-    q[row][0] = T[11];
-    q[row][1] = T[7];
-    q[row][2] = T[3];
-    status[row] = CARTESIAN_OK;
-}
+    const double T14 = T[3];
+    const double T24 = T[7];
+    const double T34 = T[11];
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
-static double turned(int joint, double value, double towards)
-{
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    if (joint >= 0)
-        return value;
-    value += turn * floor((towards - value) / turn + 0.5);
-    if (value > high)
-        value -= turn * ceil((value - high) / turn);
-    if (value < low)
-        value += turn * ceil((low - value) / turn);
-    return value;
+    const int row = 0;
+    q[row][0] = T34;
+    q[row][1] = T24;
+    q[row][2] = T14;
+    status[row] = CARTESIAN_OK;
 }
 
 static int inside(int joint, double value)
@@ -81,8 +70,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int cartesian_ik(const double T[16], const double *q_seed,
-    double q[1][3], unsigned char status[1])
+int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -101,7 +89,6 @@ int cartesian_ik(const double T[16], const double *q_seed,
         if (status[row] == CARTESIAN_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!inside(i, q[row][i]))
                 status[row] = CARTESIAN_OUT_OF_LIMITS;
         }
@@ -117,17 +104,17 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
     int result = -CARTESIAN_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
-    if (cartesian_ik(T, q_seed, all, status) == -CARTESIAN_INVALID_POSE)
+    if (cartesian_ik(T, q_seed, all, status) < 0)
         return -CARTESIAN_INVALID_POSE;
     for (int row = 0; row < 1; row++) {
         double distance = 0.0;
-        if (status[row] == CARTESIAN_OUT_OF_LIMITS && result == -CARTESIAN_UNREACHABLE)
+        if (status[row] == CARTESIAN_OUT_OF_LIMITS && result < 0)
             result = -CARTESIAN_OUT_OF_LIMITS;
         if (status[row] != CARTESIAN_OK && status[row] != CARTESIAN_FREE_JOINT)
             continue;
         for (int i = 0; i < 3; i++) {
-            all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += weight[i] * (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -1,47 +1,52 @@
 /* planar_pr: Inclined slider with a revolute link
+ *
  * Inverse kinematics, generated from robots/planar_pr.yaml and templates/c/solver.c.jinja.
- * Do not edit: run dhgen robots/planar_pr.yaml. The formulas and where they come from: planar_pr.md.
+ * Do not edit: run dhgen robots/planar_pr.yaml. The formulas and where they come from:
+ * planar_pr.md.
  */
 #include "planar_pr.h"
 
 #include <math.h>
 
-static const double k3 = 3.3333333333333335; /* 1 / a */
-static const double k4 = 1.6666666666666667; /* (1 / 2) * (1 / a) */
-static const double k5 = 2.8867513459481287; /* (sqrt3 * (1 / 2)) * (1 / a) */
-static const double k8 = 11.11111111111111; /* (((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))) */
-static const double k10 = 2.2222222222222224e-12; /* (2 * ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))))) * reach_tolerance */
-static const double k11 = 2.2222222222222222e-13; /* (2 * ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))))) * merge_tolerance */
-static const double k12 = 0.09; /* 1 / ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a)))) */
+static const double turn = 6.283185307179586;
+static const double a = 0.3; /* x of the home pose [m] */
+static const double k1 = 3.3333333333333335; /* 1 / a [m^-1] */
+static const double k2 = 1.6666666666666667; /* 1 / 2 * 1 / a [m^-1] */
+static const double k3 = 2.8867513459481287; /* sqrt3 * 1 / 2 * 1 / a [m^-1] */
+/* (1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2 [m^-2] */
+static const double k4 = 11.11111111111111;
+/* 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * reach_slack [m^-2] */
+static const double k5 = 2.2222222222222224e-12;
+/* 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * merge_slack [m^-2] */
+static const double k6 = 2.2222222222222222e-13;
+static const double k7 = 0.09; /* 1 / ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) [m^2] */
 static const double f1 = 0.5; /* 1 / 2 */
-static const double f2 = 0.8660254037844386; /* (1 / 2) * sqrt3 */
-static const double f6 = 0.9999999999999999; /* ((1 / 2) * (1 / 2)) + (((1 / 2) * sqrt3) * ((1 / 2) * sqrt3)) */
-static const double a = 0.3; /* x of the home pose */
+static const double f2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double f3 = 0.9999999999999999; /* (1 / 2)^2 + (1 / 2 * sqrt3)^2 */
 static const double g1 = 0.5; /* 1 / 2 */
-static const double g2 = 0.8660254037844386; /* (1 / 2) * sqrt3 */
-static const double g6 = 0.9999999999999999; /* ((1 / 2) * (1 / 2)) + (((1 / 2) * sqrt3) * ((1 / 2) * sqrt3)) */
+static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double g3 = 0.9999999999999999; /* (1 / 2)^2 + (1 / 2 * sqrt3)^2 */
 
 const char *const planar_pr_branches[2] = {
-    "forward",
-    "backward",
+    "forward", "backward",
 };
 
 static const double lowest[2] = { -INFINITY, -INFINITY };
 static const double highest[2] = { INFINITY, INFINITY };
-static const double turn = 6.283185307179586;
 static const int revolute[2] = { 0, 1 };
-static const double weight[2] = { 11.11111111111111, 1.0 }; /* of squared differences: lengths by arm size */
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[2] = { 11.11111111111111, 1.0 };
 
 void planar_pr_fk(const double q[2], double T[16])
 {
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double T11 = f6 * c2;
-    const double T21 = f6 * s2;
-    const double T14 = f2 * q[0] + T11 * a;
-    const double T24 = f1 * q[0] + T21 * a;
-    T[0] = T11; T[1] = -T21; T[2] = 0.0; T[3] = T14;
-    T[4] = T21; T[5] = T11; T[6] = 0.0; T[7] = T24;
+    const double T11_ = f3 * c2;
+    const double T21_ = f3 * s2;
+    const double T14_ = f2 * q[0] + T11_ * a;
+    const double T24_ = f1 * q[0] + T21_ * a;
+    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
+    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
@@ -49,12 +54,12 @@ void planar_pr_fk(const double q[2], double T[16])
 
 void planar_pr_jacobian(const double q[2], double J[12])
 {
-    const double v5 = g2 * q[0];
-    const double v6 = g1 * q[0];
+    const double p1_x = g2 * q[0];
+    const double p1_y = g1 * q[0];
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double J22 = v5 + g6 * c2 * a - v5;
-    const double J12 = v6 - (v6 + g6 * s2 * a);
+    const double J22 = p1_x + g3 * c2 * a - p1_x;
+    const double J12 = p1_y - (p1_y + g3 * s2 * a);
     J[0] = g2; J[1] = J12;
     J[2] = g1; J[3] = J22;
     J[4] = 0.0; J[5] = 0.0;
@@ -63,41 +68,42 @@ void planar_pr_jacobian(const double q[2], double J[12])
     J[10] = 0.0; J[11] = 1.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
+    if (!(isfinite(T[3]) && isfinite(T[7])))
         return 0;
     return 1;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[2],
-    double q[2][2], unsigned char status[2])
+static void solve(
+    const double T[16], const double seed[2], double q[2][2], unsigned char status[2])
 {
     (void)seed;
+    const double T14 = T[3];
+    const double T24 = T[7];
 
-    /* theta2, r1: type 5 */
-    const double v8 = T[7] * k3;
-    const double v9 = T[3] * k3;
-    const double v10 = v8 * k4 + v9 * k5;
-    const double v11 = k4 * v9 - v8 * k5;
-    const double D1 = k8 - v11 * v11;
-    const int apart2 = k11 < D1;
-    if (!(-k10 <= D1)) return;
+    /* theta2, r1, type 5: U0[2, 4] and U0[1, 4] */
+    const double V1_2 = T24 * k1;
+    const double V2_2 = T14 * k1;
+    const double v1 = V1_2 * k2 + V2_2 * k3;
+    const double v2 = k2 * V2_2 - V1_2 * k3;
+    const double D1 = k4 - v2 * v2;
+    const int apart2 = k6 < D1;
+    if (!(-k5 <= D1)) return; /* out of reach */
     const double w2 = sqrt(apart2 ? D1 : 0.0);
 
     for (int i1 = 0; i1 < 2; i1++) { /* forward, backward */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta2, r1: type 5 */
-        if (e1 < 0.0 && !apart2) continue;
-        const double r1 = (v10 + w2 * e1) * k12;
-        const double s2 = v8 - k4 * r1;
-        const double c2 = v9 - k5 * r1;
+        /* theta2, r1 */
+        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double r1 = (v1 + w2 * e1) * k7;
+        const double s2 = V1_2 - k2 * r1;
+        const double c2 = V2_2 - k3 * r1;
         const double q2 = atan2(s2, c2);
         const int row = i1;
         q[row][0] = r1;
@@ -109,7 +115,8 @@ static void solve(const double T[16], const double seed[2],
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return value;
     value += turn * floor((towards - value) / turn + 0.5);
@@ -125,8 +132,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int planar_pr_ik(const double T[16], const double *q_seed,
-    double q[2][2], unsigned char status[2])
+int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
 {
     static const double zeros[2] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -161,17 +167,18 @@ int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
     int result = -PLANAR_PR_UNREACHABLE;
     for (int i = 0; i < 2; i++)
         q[i] = NAN;
-    if (planar_pr_ik(T, q_seed, all, status) == -PLANAR_PR_INVALID_POSE)
+    if (planar_pr_ik(T, q_seed, all, status) < 0)
         return -PLANAR_PR_INVALID_POSE;
     for (int row = 0; row < 2; row++) {
         double distance = 0.0;
-        if (status[row] == PLANAR_PR_OUT_OF_LIMITS && result == -PLANAR_PR_UNREACHABLE)
+        if (status[row] == PLANAR_PR_OUT_OF_LIMITS && result < 0)
             result = -PLANAR_PR_OUT_OF_LIMITS;
         if (status[row] != PLANAR_PR_OK && status[row] != PLANAR_PR_FREE_JOINT)
             continue;
         for (int i = 0; i < 2; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += weight[i] * (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/planar_pr.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/planar_pr.yaml. The formulas and where they come from: planar_pr.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the coordinates x, y of the position is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
+T[0, 3] and y = T[1, 3] counts; other entries are ignored.
 """
 
 import math
@@ -40,26 +40,29 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-k3 = 3.3333333333333335  # 1 / a
-k4 = 1.6666666666666667  # (1 / 2) * (1 / a)
-k5 = 2.8867513459481287  # (sqrt3 * (1 / 2)) * (1 / a)
-k8 = 11.11111111111111  # (((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a)))
-k10 = 2.2222222222222224e-12  # (2 * ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))))) * reach_tolerance
-k11 = 2.2222222222222222e-13  # (2 * ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))))) * merge_tolerance
-k12 = 0.09  # 1 / ((((1 / 2) * (1 / a)) * ((1 / 2) * (1 / a))) + (((sqrt3 * (1 / 2)) * (1 / a)) * ((sqrt3 * (1 / 2)) * (1 / a))))
+a = 0.3  # x of the home pose [m]
+k1 = 3.3333333333333335  # 1 / a [m^-1]
+k2 = 1.6666666666666667  # 1 / 2 * 1 / a [m^-1]
+k3 = 2.8867513459481287  # sqrt3 * 1 / 2 * 1 / a [m^-1]
+k4 = 11.11111111111111  # (1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2 [m^-2]
+# 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * reach_slack [m^-2]
+k5 = 2.2222222222222224e-12
+# 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * merge_slack [m^-2]
+k6 = 2.2222222222222222e-13
+k7 = 0.09  # 1 / ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) [m^2]
 f1 = 0.5  # 1 / 2
-f2 = 0.8660254037844386  # (1 / 2) * sqrt3
-f6 = 0.9999999999999999  # ((1 / 2) * (1 / 2)) + (((1 / 2) * sqrt3) * ((1 / 2) * sqrt3))
-a = 0.3  # x of the home pose
+f2 = 0.8660254037844386  # 1 / 2 * sqrt3
+f3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
 g1 = 0.5  # 1 / 2
-g2 = 0.8660254037844386  # (1 / 2) * sqrt3
-g6 = 0.9999999999999999  # ((1 / 2) * (1 / 2)) + (((1 / 2) * sqrt3) * ((1 / 2) * sqrt3))
+g2 = 0.8660254037844386  # 1 / 2 * sqrt3
+g3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([11.11111111111111, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([11.11111111111111, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -73,16 +76,16 @@ def fk(q):
     T = np.zeros((4, 4))
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    T11 = f6 * c2
-    T21 = f6 * s2
-    T14 = f2 * q[0] + T11 * a
-    T24 = f1 * q[0] + T21 * a
-    T[0, 0] = T11
-    T[0, 1] = -T21
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T11
-    T[1, 3] = T24
+    T11_ = f3 * c2
+    T21_ = f3 * s2
+    T14_ = f2 * q[0] + T11_ * a
+    T24_ = f1 * q[0] + T21_ * a
+    T[0, 0] = T11_
+    T[0, 1] = -T21_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T11_
+    T[1, 3] = T24_
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -92,12 +95,12 @@ def fk(q):
 def jacobian(q):
     """The geometric Jacobian (6, 2): velocity of the tool's origin, then angular velocity."""
     J = np.zeros((6, 2))
-    v5 = g2 * q[0]
-    v6 = g1 * q[0]
+    p1_x = g2 * q[0]
+    p1_y = g1 * q[0]
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    J22 = v5 + g6 * c2 * a - v5
-    J12 = v6 - (v6 + g6 * s2 * a)
+    J22 = p1_x + g3 * c2 * a - p1_x
+    J12 = p1_y - (p1_y + g3 * s2 * a)
     J[0, 0] = g2
     J[0, 1] = J12
     J[1, 0] = g1
@@ -107,29 +110,29 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, _ = pose
 
-    # theta2, r1: type 5
-    v8 = T[1, 3] * k3
-    v9 = T[0, 3] * k3
-    v10 = v8 * k4 + v9 * k5
-    v11 = k4 * v9 - v8 * k5
-    D1 = k8 - v11 * v11
-    apart2 = k11 < D1
-    if not (-k10 <= D1):
-        return
+    # theta2, r1, type 5: U0[2, 4] and U0[1, 4]
+    V1_2 = T24 * k1
+    V2_2 = T14 * k1
+    v1 = V1_2 * k2 + V2_2 * k3
+    v2 = k2 * V2_2 - V1_2 * k3
+    D1 = k4 - v2 * v2
+    apart2 = k6 < D1
+    if not (-k5 <= D1):
+        return  # out of reach
     w2 = math.sqrt(D1 if apart2 else 0.0)
 
     for i1 in range(2):  # forward, backward
         e1 = 1.0 - 2.0 * i1
-        # theta2, r1: type 5
+        # theta2, r1
         if e1 < 0.0 and not apart2:
-            continue
-        r1 = (v10 + w2 * e1) * k12
-        s2 = v8 - k4 * r1
-        c2 = v9 - k5 * r1
+            continue  # both signs give the same
+        r1 = (v1 + w2 * e1) * k7
+        s2 = V1_2 - k2 * r1
+        c2 = V2_2 - k3 * r1
         q2 = math.atan2(s2, c2)
         row = i1
         q[row, 0] = r1
@@ -138,13 +141,20 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    return 1
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
@@ -163,15 +173,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 2) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(2):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -179,7 +189,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(2):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -193,13 +204,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 2), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (2,).
+        q_seed: Values for joints that are indeterminate (2,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -208,7 +221,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 2) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 2) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -217,12 +232,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 2))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (2,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (2,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -235,10 +252,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -248,35 +265,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 2) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 2) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 2))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -289,6 +308,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:

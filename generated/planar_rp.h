@@ -1,9 +1,11 @@
 /* planar_rp: Planar arm with a revolute and a prismatic joint
- * Inverse kinematics, generated from robots/planar_rp.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/planar_rp.yaml. The formulas and where they come from: planar_rp.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the coordinates x, y of the position is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/planar_rp.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/planar_rp.yaml. The formulas and where they come from:
+ * planar_rp.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.
  */
 #ifndef PLANAR_RP_H
 #define PLANAR_RP_H
@@ -15,38 +17,46 @@ extern "C" {
 #endif
 
 enum {
-    PLANAR_RP_DOF = 2,
-    PLANAR_RP_ROWS = 2
+    PLANAR_RP_DOF = 2, /* joints */
+    PLANAR_RP_ROWS = 2 /* branches */
 };
 
 /* What a row of planar_rp_ik holds. */
 enum {
-    PLANAR_RP_OK = 0,            /* joint values */
-    PLANAR_RP_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    PLANAR_RP_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    PLANAR_RP_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    PLANAR_RP_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    PLANAR_RP_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PLANAR_RP_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PLANAR_RP_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PLANAR_RP_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PLANAR_RP_INVALID_POSE = 4
 };
 
-/* The name of every row: forward, backward. */
+/* The name of every row. */
 extern const char *const planar_rp_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void planar_rp_fk(const double q[2], double T[16]);
 
-/* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void planar_rp_jacobian(const double q[2], double J[12]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -PLANAR_RP_INVALID_POSE. */
-int planar_rp_ik(const double T[16], const double *q_seed,
-    double q[2][2], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RP_INVALID_POSE. */
+int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns PLANAR_RP_OK or
- * PLANAR_RP_FREE_JOINT, or minus PLANAR_RP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PLANAR_RP_OK or PLANAR_RP_FREE_JOINT, or, with NaN in q,
+ * minus PLANAR_RP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]);
 
-/* planar_rp_ik for n poses: T is n x 16, q n x 2 x 2, status n x 2. */
+/* planar_rp_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 2, status n x 2. */
 void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -1,9 +1,11 @@
 /* planar_rr: Planar arm with two revolute joints
- * Inverse kinematics, generated from robots/planar_rr.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/planar_rr.yaml. The formulas and where they come from: planar_rr.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the coordinates x, y of the position is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/planar_rr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/planar_rr.yaml. The formulas and where they come from:
+ * planar_rr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.
  */
 #ifndef PLANAR_RR_H
 #define PLANAR_RR_H
@@ -15,38 +17,46 @@ extern "C" {
 #endif
 
 enum {
-    PLANAR_RR_DOF = 2,
-    PLANAR_RR_ROWS = 2
+    PLANAR_RR_DOF = 2, /* joints */
+    PLANAR_RR_ROWS = 2 /* branches */
 };
 
 /* What a row of planar_rr_ik holds. */
 enum {
-    PLANAR_RR_OK = 0,            /* joint values */
-    PLANAR_RR_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    PLANAR_RR_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    PLANAR_RR_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    PLANAR_RR_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    PLANAR_RR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PLANAR_RR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PLANAR_RR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PLANAR_RR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PLANAR_RR_INVALID_POSE = 4
 };
 
-/* The name of every row: down, up. */
+/* The name of every row. */
 extern const char *const planar_rr_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void planar_rr_fk(const double q[2], double T[16]);
 
-/* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 2 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void planar_rr_jacobian(const double q[2], double J[12]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -PLANAR_RR_INVALID_POSE. */
-int planar_rr_ik(const double T[16], const double *q_seed,
-    double q[2][2], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RR_INVALID_POSE. */
+int planar_rr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns PLANAR_RR_OK or
- * PLANAR_RR_FREE_JOINT, or minus PLANAR_RR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PLANAR_RR_OK or PLANAR_RR_FREE_JOINT, or, with NaN in q,
+ * minus PLANAR_RR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]);
 
-/* planar_rr_ik for n poses: T is n x 16, q n x 2 x 2, status n x 2. */
+/* planar_rr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 2, status n x 2. */
 void planar_rr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

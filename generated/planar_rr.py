@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/planar_rr.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/planar_rr.yaml. The formulas and where they come from: planar_rr.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the coordinates x, y of the position is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
+T[0, 3] and y = T[1, 3] counts; other entries are ignored.
 """
 
 import math
@@ -40,23 +40,23 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-a1 = 0.4  # link length 1
-a2 = 0.3  # link length 2
-k5 = 0.25  # (a1 * a1) + (a2 * a2)
-longest1 = 0.48999999999999994  # square of the longest reach
-shortest1 = 0.010000000000000007  # square of the shortest reach
-longest1_reach = 0.490000000000098  # the same, longest by rounding
-shortest1_reach = 0.009999999999986006  # the same, shortest by rounding
-longest1_apart = 0.48999999999999017  # the same, longest for merging
-shortest1_apart = 0.010000000000001405  # the same, shortest for merging
-k7 = 4.166666666666667  # 1 / (2 * (a2 * a1))
-free_square_tolerance2 = 4.899999999999999e-25  # the same, squared [length^2]
+a1 = 0.4  # link length 1 [m]
+a2 = 0.3  # link length 2 [m]
+longest2 = 0.48999999999999994  # square of the longest reach [m^2]
+shortest2 = 0.010000000000000007  # square of the shortest reach [m^2]
+longest2_reach = 0.490000000000098  # the longest, with what rounding adds [m^2]
+shortest2_reach = 0.009999999999986006  # the shortest, with what rounding adds [m^2]
+longest2_apart = 0.48999999999999017  # the longest, where branches merge [m^2]
+shortest2_apart = 0.010000000000001405  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 4.899999999999999e-25  # square of a length that fixes no angle [m^2]
+k1 = 0.25  # a1^2 + a2^2 [m^2]
+k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -72,16 +72,16 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    T11 = c1 * c2 - s1 * s2
-    T21 = s1 * c2 + c1 * s2
-    T14 = c1 * a1 + T11 * a2
-    T24 = s1 * a1 + T21 * a2
-    T[0, 0] = T11
-    T[0, 1] = -T21
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T11
-    T[1, 3] = T24
+    T11_ = c1 * c2 - s1 * s2
+    T21_ = s1 * c2 + c1 * s2
+    T14_ = c1 * a1 + T11_ * a2
+    T24_ = s1 * a1 + T21_ * a2
+    T[0, 0] = T11_
+    T[0, 1] = -T21_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T11_
+    T[1, 3] = T24_
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -93,15 +93,15 @@ def jacobian(q):
     J = np.zeros((6, 2))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    v8 = c1 * a1
-    v9 = s1 * a1
+    p1_x = c1 * a1
+    p1_y = s1 * a1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    J21 = v8 + (c1 * c2 - s1 * s2) * a2
-    v10 = v9 + (s1 * c2 + c1 * s2) * a2
-    J22 = J21 - v8
-    J12 = v9 - v10
-    J[0, 0] = -v10
+    J21 = p1_x + (c1 * c2 - s1 * s2) * a2
+    p2_y = p1_y + (s1 * c2 + c1 * s2) * a2
+    J22 = J21 - p1_x
+    J12 = p1_y - p2_y
+    J[0, 0] = -p2_y
     J[0, 1] = J12
     J[1, 0] = J21
     J[1, 1] = J22
@@ -111,42 +111,42 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, _ = pose
 
-    # theta2: type 8
-    N2 = T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3]
-    K2 = N2 - k5
-    D2 = (longest1 - N2) * (N2 - shortest1)
-    apart2 = shortest1_apart < N2 and N2 < longest1_apart
-    if not (shortest1_reach <= N2 and N2 <= longest1_reach):
-        return
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    N2 = T14 * T14 + T24 * T24
+    K2 = N2 - k1
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    apart2 = shortest2_apart < N2 and N2 < longest2_apart
+    if not (shortest2_reach <= N2 and N2 <= longest2_reach):
+        return  # out of reach
     w2 = math.sqrt(D2 if apart2 else 0.0)
-    c2 = K2 * k7
+    c2 = K2 * k2
 
-    # theta1: type 3
-    v14 = a1 + a2 * c2
-    v16 = T[1, 3] * v14
-    v18 = T[0, 3] * v14
+    # theta1, type 3: U0[2, 4] and U0[1, 4]
+    X1_1 = a1 + a2 * c2
+    v1 = T24 * X1_1
+    v2 = T14 * X1_1
 
     for i1 in range(2):  # down, up
         e1 = 1.0 - 2.0 * i1
-        # theta2: type 8
+        # theta2
         if e1 < 0.0 and not apart2:
-            continue
-        s2 = w2 * e1 * k7
+            continue  # both signs give the same
+        s2 = w2 * e1 * k2
         q2 = math.atan2(s2, c2)
 
-        # theta1: type 3
-        v15 = a2 * s2
-        v17 = v16 - T[0, 3] * v15
-        v19 = v18 + T[1, 3] * v15
-        w1 = math.sqrt(v17 * v17 + v19 * v19)
-        free1 = w1 <= free_square_tolerance2
-        v20 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else v19 * v20
-        s1 = math.sin(seed[0]) if free1 else v17 * v20
+        # theta1
+        Y1_1 = a2 * s2
+        S1 = v1 - T14 * Y1_1
+        C1 = v2 + T24 * Y1_1
+        w1 = math.sqrt(S1 * S1 + C1 * C1)
+        free1 = w1 <= free_limit_squared2
+        factor1 = 1.0 / (1.0 if free1 else w1)
+        c1 = math.cos(seed[0]) if free1 else C1 * factor1
+        s1 = math.sin(seed[0]) if free1 else S1 * factor1
         q1 = math.atan2(s1, c1)
         row = i1
         q[row, 0] = q1
@@ -155,20 +155,25 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    return 1
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -180,15 +185,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 2) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(2):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -196,7 +201,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(2):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -210,13 +216,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 2), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (2,).
+        q_seed: Values for joints that are indeterminate (2,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -225,7 +233,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 2) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 2) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -234,12 +244,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 2))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (2,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (2,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -252,10 +264,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -265,35 +277,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 2) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 2) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 2))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -306,8 +320,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

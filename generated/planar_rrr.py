@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/planar_rrr.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/planar_rrr.yaml. The formulas and where they come from: planar_rrr.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -40,29 +40,28 @@ UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it 
 FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
-_LOST = 128
 
-free_square_tolerance = 1e-24  # the same, squared
-a3 = 0.15  # link length 3
-a1 = 0.4  # link length 1
-a2 = 0.3  # link length 2
-k5 = 0.25  # (a1 * a1) + (a2 * a2)
-longest2 = 0.48999999999999994  # square of the longest reach
-shortest2 = 0.010000000000000007  # square of the shortest reach
-longest2_reach = 0.490000000000119  # the same, longest by rounding
-shortest2_reach = 0.009999999999983007  # the same, shortest by rounding
-longest2_apart = 0.48999999999998795  # the same, longest for merging
-shortest2_apart = 0.010000000000001705  # the same, shortest for merging
-k7 = 4.166666666666667  # 1 / (2 * (a2 * a1))
-free_square_tolerance2 = 7.224999999999999e-25  # the same, squared [length^2]
-k8 = 99999.99999999999  # 1 / consistent_tolerance
-k9 = 117647.05882352941  # 1 / consistent_tolerance1
+a1 = 0.4  # link length 1 [m]
+a2 = 0.3  # link length 2 [m]
+a3 = 0.15  # link length 3 [m]
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+longest2 = 0.48999999999999994  # square of the longest reach [m^2]
+shortest2 = 0.010000000000000007  # square of the shortest reach [m^2]
+longest2_reach = 0.490000000000119  # the longest, with what rounding adds [m^2]
+shortest2_reach = 0.009999999999983007  # the shortest, with what rounding adds [m^2]
+longest2_apart = 0.48999999999998795  # the longest, where branches merge [m^2]
+shortest2_apart = 0.010000000000001705  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 7.224999999999999e-25  # square of a length that fixes no angle [m^2]
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
+k1 = 0.25  # a1^2 + a2^2 [m^2]
+k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -70,9 +69,8 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-
 @njit(cache=True, error_model="numpy")
-def wrap(angle):
+def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * math.ceil(angle / _TURN - 0.5)
 
@@ -85,20 +83,20 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v11 = c1 * c2 - s1 * s2
-    v12 = s1 * c2 + c1 * s2
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    T11 = v11 * c3 - v12 * s3
-    T21 = v12 * c3 + v11 * s3
-    T14 = c1 * a1 + v11 * a2 + T11 * a3
-    T24 = s1 * a1 + v12 * a2 + T21 * a3
-    T[0, 0] = T11
-    T[0, 1] = -T21
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T11
-    T[1, 3] = T24
+    T11_ = x2_x * c3 - x2_y * s3
+    T21_ = x2_y * c3 + x2_x * s3
+    T14_ = c1 * a1 + x2_x * a2 + T11_ * a3
+    T24_ = s1 * a1 + x2_y * a2 + T21_ * a3
+    T[0, 0] = T11_
+    T[0, 1] = -T21_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T11_
+    T[1, 3] = T24_
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -110,23 +108,23 @@ def jacobian(q):
     J = np.zeros((6, 3))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    v12 = c1 * a1
-    v13 = s1 * a1
+    p1_x = c1 * a1
+    p1_y = s1 * a1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v14 = c1 * c2 - s1 * s2
-    v15 = s1 * c2 + c1 * s2
-    v16 = v12 + v14 * a2
-    v17 = v13 + v15 * a2
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    p2_x = p1_x + x2_x * a2
+    p2_y = p1_y + x2_y * a2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J21 = v16 + (v14 * c3 - v15 * s3) * a3
-    v18 = v17 + (v15 * c3 + v14 * s3) * a3
-    J22 = J21 - v12
-    J12 = v13 - v18
-    J23 = J21 - v16
-    J13 = v17 - v18
-    J[0, 0] = -v18
+    J21 = p2_x + (x2_x * c3 - x2_y * s3) * a3
+    p3_y = p2_y + (x2_y * c3 + x2_x * s3) * a3
+    J22 = J21 - p1_x
+    J12 = p1_y - p3_y
+    J23 = J21 - p2_x
+    J13 = p2_y - p3_y
+    J[0, 0] = -p3_y
     J[0, 1] = J12
     J[0, 2] = J13
     J[1, 0] = J21
@@ -138,30 +136,33 @@ def jacobian(q):
     return J
 
 
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+
+
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
+def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
-    A row that was lost after joint j had been chosen freely gets the status _LOST + j and, as its
-    first value, how far it is from a solution (negative).
+    The first value of a row that is _LOST says how far it is from a solution (negative).
     """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta123: type 3
-    w123 = math.sqrt(T[1, 0] * T[1, 0] + T[0, 0] * T[0, 0])
-    free123 = w123 <= free_square_tolerance
-    v22 = 1.0 / (1.0 if free123 else w123)
-    v23 = seed[0] + seed[1] + seed[2]
-    c123 = math.cos(v23) if free123 else T[0, 0] * v22
-    s123 = math.sin(v23) if free123 else T[1, 0] * v22
-    v24 = math.atan2(s123, c123)
+    # theta123, type 3: U0[1, 2] and U0[2, 2]
+    w123 = math.sqrt(T21 * T21 + T11 * T11)
+    free123 = w123 <= free_limit_squared
+    v1 = 1.0 / (1.0 if free123 else w123)
+    v2 = seed[0] + seed[1] + seed[2]
+    c123 = math.cos(v2) if free123 else T11 * v1
+    s123 = math.sin(v2) if free123 else T21 * v1
+    theta123 = math.atan2(s123, c123)
 
-    # theta2: type 8
-    v25 = c123 * a3
-    v26 = T[0, 3] - v25
-    v27 = s123 * a3
-    v28 = T[1, 3] - v27
-    N2 = v26 * v26 + v28 * v28
-    K2 = N2 - k5
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    v3 = c123 * a3
+    Z1_2 = T14 - v3
+    v4 = s123 * a3
+    Z2_2 = T24 - v4
+    N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
+    K2 = N2 - k1
     D2 = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
@@ -174,52 +175,54 @@ def _solve(T, seed, q, status):
         if free123:
             status[0] = _LOST + 3
             q[0, 0] = D2
-        return
+        return  # out of reach
     w2 = math.sqrt(D2 if apart2 else 0.0)
-    c2 = K2 * k7
+    c2 = K2 * k2
 
-    # theta1: type 3
-    v29 = a1 + a2 * c2
-    v31 = v28 * v29
-    v33 = v26 * v29
+    # theta1, type 3: U0[2, 4] and U0[1, 4]
+    X1_1 = a1 + a2 * c2
+    v5 = Z2_2 * X1_1
+    v6 = Z1_2 * X1_1
 
     # is the pose one that the arm can take?
-    v36 = max(max(abs(c123 - T[0, 0]) * k8, k8 * abs(-(T[0, 1] + s123))), k8 * abs(-T[0, 2]))
-    v37 = k8 * abs(s123 - T[1, 0])
-    v38 = k8 * abs(c123 - T[1, 1])
-    v39 = k8 * abs(-T[1, 2])
-    v40 = k8 * abs(-T[2, 0])
-    v41 = k8 * abs(-T[2, 1])
-    v42 = k8 * abs(1.0 - T[2, 2])
-    v43 = k9 * abs(-T[2, 3])
+    if (
+        not (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack
+        and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 - c123) <= pose_slack
+        and (abs(T21 - s123) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c123) <=
+        pose_slack and abs(T12 + s123) <= pose_slack)))))))))
+    ):
+        return  # the arm can't take this pose
 
     for i1 in range(2):  # down, up
         e1 = 1.0 - 2.0 * i1
-        # theta2: type 8
+        # theta2
         if e1 < 0.0 and not apart2:
-            continue
-        s2 = w2 * e1 * k7
+            continue  # both signs give the same
+        s2 = w2 * e1 * k2
         q2 = math.atan2(s2, c2)
 
-        # theta1: type 3
-        v30 = a2 * s2
-        v32 = v31 - v26 * v30
-        v34 = v33 + v28 * v30
-        w1 = math.sqrt(v32 * v32 + v34 * v34)
-        free1 = w1 <= free_square_tolerance2
-        v35 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else v34 * v35
-        s1 = math.sin(seed[0]) if free1 else v32 * v35
+        # theta1
+        Y1_1 = a2 * s2
+        S1 = v5 - Z1_2 * Y1_1
+        C1 = v6 + Z2_2 * Y1_1
+        w1 = math.sqrt(S1 * S1 + C1 * C1)
+        free1 = w1 <= free_limit_squared2
+        factor1 = 1.0 / (1.0 if free1 else w1)
+        c1 = math.cos(seed[0]) if free1 else C1 * factor1
+        s1 = math.sin(seed[0]) if free1 else S1 * factor1
         q1 = math.atan2(s1, c1)
 
         # is the pose one that the arm can take?
         c12 = c2 * c1 - s2 * s1
         s12 = c2 * s1 + s2 * c1
-        if not (max(max(max(max(max(max(max(max(max(v36, abs(a2 * c12 + (v25 + a1 * c1) - T[0, 3]) * k9), v37), v38), v39), k9 * abs(a2 * s12 + (v27 + a1 * s1) - T[1, 3])), v40), v41), v42), v43) <= 1.0):
-            continue
+        if (
+            not (abs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 and abs(T24 - (a2 * s12 + (v4
+            + a1 * s1))) <= pose_slack1)
+        ):
+            continue  # the arm can't take this pose
 
         # joint values
-        q3 = wrap(v24 - (q2 + q1))
+        q3 = _wrap(theta123 - (q2 + q1))
         free1_ = free123 or free1
         row = i1
         q[row, 0] = q1
@@ -229,49 +232,73 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -282,13 +309,17 @@ def _turned(joint, value, towards):
 
 
 @njit(cache=True, error_model="numpy")
-def _attempt(T, seed, joint, angle, row, q, status):
-    """Solves with another seed for one joint: 0 if the row is solved, else how far it is from that."""
-    kept = seed[joint]
-    seed[joint] = angle
+def _attempt(pose, seed, lost, moved, q, status):
+    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+
+    The row and the joint that had been chosen are the two numbers of `lost`.
+    """
+    row, joint = lost
     for i in range(2):
         status[i] = UNREACHABLE
-    _solve(T, seed, q, status)
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, q, status)
     seed[joint] = kept
     if status[row] >= _LOST:
         return q[row, 0]
@@ -296,70 +327,79 @@ def _attempt(T, seed, joint, angle, row, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _choose_again(T, given, row, q, status):
-    """A free joint took the seed's value, and then the arm could not reach: takes the nearest that serves.
-
-    A fan of angles finds where the branch is solved, bisection the nearest such angle; where no
-    angle of the fan serves, golden section goes for the best of them.
-    """
-    fan, halvings = 32, 52
-    step, ratio = _TURN / (2.0 * fan), 0.6180339887498949
-    joint = status[row] - _LOST - 1
-    seed, trial, result = given.copy(), q.copy(), status.copy()
-    start = seed[joint]
-    best, peak, outer, found = -math.inf, 0.0, 0.0, False
-    for k in range(1, 2 * fan + 1):
-        outer = (step if k % 2 else -step) * ((k + 1) // 2)
-        reach = _attempt(T, seed, joint, start + outer, row, trial, result)
-        found = reach == 0.0
-        if found:
-            break
-        if reach > best:
-            best, peak = reach, outer
-    inner = outer - step if outer > 0.0 else outer + step
-    if not found:
-        low, high = peak - step, peak + step
-        for k in range(halvings):
-            a, b = high - ratio * (high - low), low + ratio * (high - low)
-            at_a = _attempt(T, seed, joint, start + a, row, trial, result)
-            at_b = _attempt(T, seed, joint, start + b, row, trial, result)
-            outer = a if at_a >= at_b else b
-            found = at_a == 0.0 or at_b == 0.0
-            if found:
-                break
-            if at_a >= at_b:
-                high = b
-            else:
-                low = a
-        inner = peak - step if outer > 0.0 else peak + step
-    status[row] = UNREACHABLE
-    for i in range(3):
-        q[row, i] = math.nan
-    if not found:
-        return
-    for k in range(halvings):
-        middle = 0.5 * (inner + outer)
-        if _attempt(T, seed, joint, start + middle, row, trial, result) == 0.0:
-            outer = middle
+def _summit(pose, seed, lost, low, high, q, status):
+    """Golden section for a move between low and high that serves; NaN if there is none."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, lost, low + third, q, status)
+        right = _attempt(pose, seed, lost, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
         else:
-            inner = middle
-    _attempt(T, seed, joint, start + outer, row, trial, result)
-    status[row] = result[row]
+            low += third
+    return math.nan
+
+
+@njit(cache=True, error_model="numpy")
+def _serving(pose, seed, lost, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
+    between two of them, bisection the end that is nearest to the seed.
+    """
+    step, nearest = _TURN / 64, math.nan
+    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, lost, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest):
+            nearest = outer
+    return nearest
+
+
+@njit(cache=True, error_model="numpy")
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    lost = row, status[row] - _LOST - 1
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    moved = _serving(pose, seed, lost, trial, result)
+    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    status[row] = result[row] if served else UNREACHABLE
     for i in range(3):
-        q[row, i] = trial[row, i]
+        q[row, i] = trial[row, i] if served else math.nan
 
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 3) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -369,7 +409,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(3):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -383,13 +424,16 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. Memory is allocated only where a free
+    joint can't keep the seed's value.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (3,).
+        q_seed: Values for joints that are indeterminate (3,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -398,7 +442,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 3) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 3) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -407,12 +453,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 3))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -425,10 +473,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -438,35 +486,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 3) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 3) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 3))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -479,8 +529,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

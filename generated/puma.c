@@ -1,4 +1,5 @@
 /* puma: PUMA in its reference position
+ *
  * Inverse kinematics, generated from robots/puma.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma.yaml. The formulas and where they come from: puma.md.
  */
@@ -6,40 +7,40 @@
 
 #include <math.h>
 
-static const double D3 = 0.15005; /* x of axis 4 */
-static const double L2 = 0.4318; /* z of axis 3 */
-static const double D4 = 0.4318; /* z of axis 5 */
-static const double k1 = 0.8636; /* L2 + D4 */
-static const double k2 = 0.022515002499999996; /* D3 * D3 */
-static const double free_square_tolerance2 = 1.0274863225e-24; /* the same, squared [length^2] */
-static const double reach_tolerance1 = 1.0136499999999999e-13; /* rounding at the boundary of the workspace [length] */
-static const double merge_tolerance1 = 1.0136499999999999e-14; /* two branches nearer than this are one [length] */
-static const double k4 = 0.37290248000000004; /* 2 * (D4 * L2) */
-static const double longest2 = 0.7458049600000001; /* square of the longest reach */
-static const double shortest2 = 0.0; /* square of the shortest reach */
-static const double longest2_reach = 0.7458049600001752; /* the same, longest by rounding */
-static const double shortest2_reach = 0.0; /* the same, shortest by rounding */
-static const double longest2_apart = 0.7458049599999826; /* the same, longest for merging */
-static const double shortest2_apart = 1.0274863225e-28; /* the same, shortest for merging */
-static const double k6 = 2.681666262986505; /* 1 / (2 * (D4 * L2)) */
-static const double free_tolerance = 1e-12; /* a vector this short fixes no angle */
-static const double f1 = 0.8636; /* L2 + D4 */
-static const double g1 = 0.8636; /* L2 + D4 */
+static const double turn = 6.283185307179586;
+static const double L2 = 0.4318; /* z of axis 3 [m] */
+static const double D3 = 0.15005; /* x of axis 4 [m] */
+static const double D4 = 0.4318; /* z of axis 5 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 1.0274863225e-24;
+static const double longest3 = 0.7458049600000001; /* square of the longest reach [m^2] */
+static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest3_reach = 0.7458049600001752;
+static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
+/* the longest, where branches merge [m^2] */
+static const double longest3_apart = 0.7458049599999826;
+/* the shortest, where branches merge [m^2] */
+static const double shortest3_apart = 1.0274863225e-28;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double k1 = 0.8636; /* L2 + D4 [m] */
+static const double k2 = 0.022515002499999996; /* D3^2 [m^2] */
+static const double k3 = 3.041963650001027e-14; /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
+static const double k4 = 3.041963650000102e-15; /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
+static const double k5 = 0.37290248000000004; /* 2 * D4 * L2 [m^2] */
+static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
+static const double f1 = 0.8636; /* L2 + D4 [m] */
+static const double g1 = 0.8636; /* L2 + D4 [m] */
 
 const char *const puma_branches[8] = {
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
+    "right-down-flip", "right-up-noflip", "right-up-flip",
 };
 
-static const double lowest[6] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-static const double turn = 6.283185307179586;
 
 void puma_fk(const double q[6], double T[16])
 {
@@ -47,47 +48,47 @@ void puma_fk(const double q[6], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v24 = s1 * s2;
-    const double v25 = c1 * s2;
-    const double v26 = s1 * c2;
-    const double v27 = c1 * c2;
+    const double x2_x = s1 * s2;
+    const double v1 = c1 * s2;
+    const double y2_x = s1 * c2;
+    const double v2 = c1 * c2;
     const double c3 = cos(q[2]);
     const double s3 = sin(q[2]);
-    const double v28 = v24 * c3 + v26 * s3;
-    const double v29 = v25 * c3 + v27 * s3;
-    const double v30 = c2 * c3 - s2 * s3;
-    const double v31 = s2 * c3 + c2 * s3;
-    const double v32 = v24 * s3 - v26 * c3;
-    const double v33 = v27 * c3 - v25 * s3;
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double v3 = v1 * c3 + v2 * s3;
+    const double x3_z = c2 * c3 - s2 * s3;
+    const double v4 = s2 * c3 + c2 * s3;
+    const double v5 = x2_x * s3 - y2_x * c3;
+    const double v6 = v2 * c3 - v1 * s3;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double v34 = c1 * c4 + v32 * s4;
-    const double v35 = s1 * c4 + v33 * s4;
-    const double v36 = v31 * s4;
-    const double v37 = v31 * c4;
-    const double v38 = c1 * s4 - v32 * c4;
-    const double v39 = s1 * s4 - v33 * c4;
+    const double x4_x = c1 * c4 + v5 * s4;
+    const double x4_y = s1 * c4 + v6 * s4;
+    const double x4_z = v4 * s4;
+    const double y4_z = v4 * c4;
+    const double v7 = c1 * s4 - v5 * c4;
+    const double v8 = s1 * s4 - v6 * c4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double T13 = v28 * c5 + v38 * s5;
-    const double T23 = v39 * s5 - v29 * c5;
-    const double T33 = v30 * c5 - v37 * s5;
-    const double v40 = v39 * c5 + v29 * s5;
-    const double v41 = v37 * c5 + v30 * s5;
-    const double v42 = v28 * s5 - v38 * c5;
+    const double T13_ = x3_x * c5 + v7 * s5;
+    const double T23_ = v8 * s5 - v3 * c5;
+    const double T33_ = x3_z * c5 - y4_z * s5;
+    const double y5_y = v8 * c5 + v3 * s5;
+    const double v9 = y4_z * c5 + x3_z * s5;
+    const double v10 = x3_x * s5 - v7 * c5;
     const double c6 = cos(q[5]);
     const double s6 = sin(q[5]);
-    const double T11 = v34 * c6 + v42 * s6;
-    const double T21 = v35 * c6 - v40 * s6;
-    const double T31 = v36 * c6 + v41 * s6;
-    const double T12 = v42 * c6 - v34 * s6;
-    const double T32 = v41 * c6 - v36 * s6;
-    const double T14 = v24 * L2 + c1 * D3 + v28 * D4 - D3 * T11 - T13 * f1;
-    const double T24 = s1 * D3 - v25 * L2 - v29 * D4 - D3 * T21 - T23 * f1;
-    const double T34 = c2 * L2 + v30 * D4 - D3 * T31 - T33 * f1;
-    T[0] = T11; T[1] = T12; T[2] = T13; T[3] = T14;
-    T[4] = T21; T[5] = -(v40 * c6 + v35 * s6); T[6] = T23; T[7] = T24;
-    T[8] = T31; T[9] = T32; T[10] = T33; T[11] = T34;
+    const double T11_ = x4_x * c6 + v10 * s6;
+    const double T21_ = x4_y * c6 - y5_y * s6;
+    const double T31_ = x4_z * c6 + v9 * s6;
+    const double T12_ = v10 * c6 - x4_x * s6;
+    const double T32_ = v9 * c6 - x4_z * s6;
+    const double T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1;
+    const double T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1;
+    const double T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = -(y5_y * c6 + x4_y * s6); T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -98,93 +99,89 @@ void puma_jacobian(const double q[6], double J[36])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v35 = s1 * s2;
-    const double v36 = c1 * s2;
-    const double v37 = s1 * c2;
-    const double v38 = c1 * c2;
-    const double v39 = v35 * L2;
-    const double v40 = v36 * L2;
-    const double v41 = c2 * L2;
+    const double x2_x = s1 * s2;
+    const double v1 = c1 * s2;
+    const double y2_x = s1 * c2;
+    const double v2 = c1 * c2;
+    const double p3_x = x2_x * L2;
+    const double v3 = v1 * L2;
+    const double p3_z = c2 * L2;
     const double c3 = cos(q[2]);
     const double s3 = sin(q[2]);
-    const double J44 = v35 * c3 + v37 * s3;
-    const double v42 = v36 * c3 + v38 * s3;
+    const double J44 = x2_x * c3 + y2_x * s3;
+    const double v4 = v1 * c3 + v2 * s3;
     const double J64 = c2 * c3 - s2 * s3;
-    const double v43 = s2 * c3 + c2 * s3;
-    const double v44 = v39 + c1 * D3;
-    const double v45 = s1 * D3 - v40;
-    const double v46 = v35 * s3 - v37 * c3;
-    const double v47 = v38 * c3 - v36 * s3;
+    const double v5 = s2 * c3 + c2 * s3;
+    const double p4_x = p3_x + c1 * D3;
+    const double p4_y = s1 * D3 - v3;
+    const double v6 = x2_x * s3 - y2_x * c3;
+    const double v7 = v2 * c3 - v1 * s3;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double J45 = c1 * c4 + v46 * s4;
-    const double J55 = s1 * c4 + v47 * s4;
-    const double J65 = v43 * s4;
-    const double v48 = v43 * c4;
-    const double v49 = v44 + J44 * D4;
-    const double v50 = v45 - v42 * D4;
-    const double v51 = v41 + J64 * D4;
-    const double v52 = c1 * s4 - v46 * c4;
-    const double v53 = s1 * s4 - v47 * c4;
+    const double J45 = c1 * c4 + v6 * s4;
+    const double J55 = s1 * c4 + v7 * s4;
+    const double J65 = v5 * s4;
+    const double y4_z = v5 * c4;
+    const double p5_x = p4_x + J44 * D4;
+    const double p5_y = p4_y - v4 * D4;
+    const double p5_z = p3_z + J64 * D4;
+    const double v8 = c1 * s4 - v6 * c4;
+    const double v9 = s1 * s4 - v7 * c4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double J46 = J44 * c5 + v52 * s5;
-    const double J56 = v53 * s5 - v42 * c5;
-    const double J66 = J64 * c5 - v48 * s5;
+    const double J46 = J44 * c5 + v8 * s5;
+    const double J56 = v9 * s5 - v4 * c5;
+    const double J66 = J64 * c5 - y4_z * s5;
     const double c6 = cos(q[5]);
     const double s6 = sin(q[5]);
-    const double v54 = v50 - D3 * (J55 * c6 - (v53 * c5 + v42 * s5) * s6);
-    const double J21 = v49 - D3 * (J45 * c6 + (J44 * s5 - v52 * c5) * s6) - J46 * g1;
-    const double v55 = J56 * g1;
-    const double v56 = v54 - v55;
-    const double v57 = v51 - D3 * (J65 * c6 + (v48 * c5 + J64 * s5) * s6) - J66 * g1;
-    const double J11 = v55 - v54;
-    const double J12 = s1 * v57;
-    const double J32 = c1 * v56 - s1 * J21;
-    const double v58 = v57 - v41;
-    const double J13 = s1 * v58;
-    const double J33 = c1 * (v40 + v56) - s1 * (J21 - v39);
-    const double v59 = J21 - v44;
-    const double v60 = v56 - v45;
-    const double J24 = J64 * v59 - J44 * v58;
-    const double J34 = J44 * v60 + v42 * v59;
-    const double v61 = J21 - v49;
-    const double v62 = v56 - v50;
-    const double v63 = v57 - v51;
-    const double J15 = J55 * v63 - J65 * v62;
-    const double J25 = J65 * v61 - J45 * v63;
-    const double J35 = J45 * v62 - J55 * v61;
-    const double J16 = J56 * v63 - J66 * v62;
-    const double J26 = J66 * v61 - J46 * v63;
-    const double J36 = J46 * v62 - J56 * v61;
-    J[0] = J11; J[1] = J12; J[2] = J13; J[3] = -(v42 * v58 + J64 * v60); J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(c1 * v57); J[8] = -(c1 * v58); J[9] = J24; J[10] = J25; J[11] = J26;
+    const double J21 = p5_x - D3 * (J45 * c6 + (J44 * s5 - v8 * c5) * s6) - J46 * g1;
+    const double v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1;
+    const double v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1;
+    const double J12 = s1 * v11;
+    const double J32 = c1 * v10 - s1 * J21;
+    const double v12 = v11 - p3_z;
+    const double J13 = s1 * v12;
+    const double J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x);
+    const double v13 = J21 - p4_x;
+    const double v14 = v10 - p4_y;
+    const double J24 = J64 * v13 - J44 * v12;
+    const double J34 = J44 * v14 + v4 * v13;
+    const double v15 = J21 - p5_x;
+    const double v16 = v10 - p5_y;
+    const double v17 = v11 - p5_z;
+    const double J15 = J55 * v17 - J65 * v16;
+    const double J25 = J65 * v15 - J45 * v17;
+    const double J35 = J45 * v16 - J55 * v15;
+    const double J16 = J56 * v17 - J66 * v16;
+    const double J26 = J66 * v15 - J46 * v17;
+    const double J36 = J46 * v16 - J56 * v15;
+    J[0] = -v10; J[1] = J12; J[2] = J13; J[3] = -(v4 * v12 + J64 * v14); J[4] = J15; J[5] = J16;
+    J[6] = J21; J[7] = -(c1 * v11); J[8] = -(c1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
     J[18] = 0.0; J[19] = c1; J[20] = c1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = s1; J[26] = s1; J[27] = -v42; J[28] = J55; J[29] = J56;
+    J[24] = 0.0; J[25] = s1; J[26] = s1; J[27] = -v4; J[28] = J55; J[29] = J56;
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 static double misfit(const double T[16])
 {
-    const double *a = T, *b = T + 4, *c = T + 8;
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0;
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] - 1.0;
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double x = a[1] * b[2] - a[2] * b[1] - c[0];
-    const double y = a[2] * b[0] - a[0] * b[2] - c[1];
-    const double z = a[0] * b[1] - a[1] * b[0] - c[2];
-    return aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z;
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
     double R[9], G[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[3 * i + j] = T[4 * i + j];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             G[3 * i + j] = (i == j ? 1.5 : 0.0)
@@ -194,16 +191,13 @@ static void straighten(double T[16])
             T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
@@ -218,110 +212,112 @@ static int read_pose(const double given[16], double T[16])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[6],
-    double q[8][6], unsigned char status[8])
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1: type 2 */
-    const double t24 = T[7] + D3 * T[4] + k1 * T[6];
-    const double t14 = T[3] + D3 * T[0] + k1 * T[2];
+    /* theta1, type 2: U1[1, 4] */
+    const double t24 = T24 + D3 * T21 + k1 * T23;
+    const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
     const double D1 = N1 - k2;
-    const int free1 = N1 <= free_square_tolerance2;
-    const double v37 = 2.0 * fabs(-D3);
-    const int apart1 = merge_tolerance1 * (v37 + merge_tolerance1) < D1;
-    if (!(-(reach_tolerance1 * (v37 + reach_tolerance1)) <= D1)) return;
+    const int free1 = N1 <= free_limit_squared2;
+    const int apart1 = k4 < D1;
+    if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double v39 = 1.0 / (free1 ? 1.0 : N1);
-    const double v40 = D3 * t24;
-    const double v41 = D3 * t14;
+    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double v1 = D3 * t24;
+    const double v2 = D3 * t14;
 
-    /* theta3: type 8 */
-    const double t34 = T[11] + D3 * T[8] + k1 * T[10];
-    const double v42 = t34 * t34;
+    /* theta3, type 8: U1[3, 4] and U1[2, 4] */
+    const double t34 = T34 + D3 * T31 + k1 * T33;
+    const double v3 = t34 * t34;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta1: type 2 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue;
-        const double v38 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : v39 * (v41 + t24 * v38);
-        const double s1 = free1 ? sin(seed[0]) : v39 * (v40 - t14 * v38);
+        /* theta1 */
+        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        const double root1 = w1 * e1;
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 + t24 * root1);
+        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 - t14 * root1);
         const double q1 = atan2(s1, c1);
 
-        /* theta3: type 8 */
-        const double N3 = v42 + v38 * v38;
-        const double K3 = N3 - k4;
-        const double D3_ = (longest2 - N3) * (N3 - shortest2);
-        const int apart3 = shortest2_apart < N3 && N3 < longest2_apart;
-        if (!(shortest2_reach <= N3 && N3 <= longest2_reach)) continue;
+        /* theta3 */
+        const double N3 = v3 + root1 * root1;
+        const double K3 = N3 - k5;
+        const double D3_ = (longest3 - N3) * (N3 - shortest3);
+        const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3_ : 0.0);
         const double c3 = K3 * k6;
 
-        /* theta2: type 3 */
-        const double v44 = L2 + D4 * c3;
-        const double v45 = v38 * v44;
-        const double v47 = t34 * v44;
+        /* theta2, type 3: U1[3, 4] and U1[2, 4] */
+        const double Y1_2 = L2 + D4 * c3;
+        const double v5 = root1 * Y1_2;
+        const double v7 = t34 * Y1_2;
 
-        /* theta4: type 2 */
-        const double v50 = T[2] * s1 - T[6] * c1;
-        const double v51 = T[2] * c1 + T[6] * s1;
-        const double v52 = v51 * v51;
+        /* theta4, type 2: U4[1, 3] */
+        const double v8 = T13 * s1 - T23 * c1;
+        const double v9 = T13 * c1 + T23 * s1;
+        const double v10 = v9 * v9;
 
-        /* theta6: type 3 */
-        const double v55 = T[1] * c1 + T[5] * s1;
-        const double v56 = T[1] * s1 - T[5] * c1;
-        const double v58 = T[0] * c1 + T[4] * s1;
-        const double v59 = T[0] * s1 - T[4] * c1;
+        /* theta6, type 3: U4[1, 2] and U4[1, 1] */
+        const double v11 = T12 * c1 + T22 * s1;
+        const double v12 = T12 * s1 - T22 * c1;
+        const double v14 = T11 * c1 + T21 * s1;
+        const double v15 = T11 * s1 - T21 * c1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
-            /* theta3: type 8 */
-            if (e2 < 0.0 && !apart3) continue;
+            /* theta3 */
+            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double s3 = w3 * e2 * k6;
             const double q3 = atan2(s3, c3);
 
-            /* theta2: type 3 */
-            const double v43 = D4 * s3;
-            const double v46 = t34 * v43 + v45;
-            const double v48 = v47 - v38 * v43;
-            const double w2 = sqrt(v46 * v46 + v48 * v48);
-            const int free2 = w2 <= free_square_tolerance2;
-            const double v49 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : v48 * v49;
-            const double s2 = free2 ? sin(seed[1]) : -(v46 * v49);
+            /* theta2 */
+            const double v4 = D4 * s3;
+            const double v6 = t34 * v4 + v5;
+            const double C2 = v7 - root1 * v4;
+            const double w2 = sqrt(v6 * v6 + C2 * C2);
+            const int free2 = w2 <= free_limit_squared2;
+            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
+            const double s2 = free2 ? sin(seed[1]) : -(v6 * factor2);
             const double q2 = atan2(s2, c2);
 
-            /* theta4: type 2 */
+            /* theta4 */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double X4 = c23 * v50 - T[10] * s23;
-            const double w4 = sqrt(X4 * X4 + v52);
-            const int free4 = w4 <= free_tolerance;
-            const double v53 = free4 ? 1.0 : w4;
+            const double X4 = c23 * v8 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v10);
+            const int free4 = w4 <= free_limit;
+            const double divisor4 = free4 ? 1.0 : w4;
 
-            /* theta5: type 3 */
-            const double c5 = T[10] * c23 + s23 * v50;
+            /* theta5, type 3: U4[3, 3] and U4[2, 3] */
+            const double c5 = T33 * c23 + s23 * v8;
 
-            /* theta6: type 3 */
-            const double v57 = T[9] * s23 - c23 * v56;
-            const double v60 = T[8] * s23 - c23 * v59;
+            /* theta6 */
+            const double v13 = T32 * s23 - c23 * v12;
+            const double v16 = T31 * s23 - c23 * v15;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
-                /* theta4: type 2 */
-                if (e3 < 0.0 && free4) continue;
-                const double v54 = e3 / v53;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * v54);
-                const double s4 = free4 ? sin(seed[3]) : -(v51 * v54);
+                /* theta4 */
+                if (e3 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e3 / divisor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
+                const double s4 = free4 ? sin(seed[3]) : -(v9 * factor4);
                 const double q4 = atan2(s4, c4);
 
-                /* theta5: type 3 */
+                /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
-                /* theta6: type 3 */
-                const double c6 = c4 * v58 + s4 * v60;
-                const double q6 = atan2(-(c4 * v55 + s4 * v57), c6);
+                /* theta6 */
+                const double c6 = c4 * v14 + s4 * v16;
+                const double q6 = atan2(-(c4 * v11 + s4 * v13), c6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1;
                 q[row][1] = q2;
@@ -329,7 +325,7 @@ static void solve(const double T[16], const double seed[6],
                 q[row][3] = q4;
                 q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = free1 || free2 || free4 ? PUMA_FREE_JOINT : PUMA_OK;
+                status[row] = (free1 || free2 || free4) ? PUMA_FREE_JOINT : PUMA_OK;
             }
         }
     }
@@ -338,7 +334,8 @@ static void solve(const double T[16], const double seed[6],
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     value += turn * floor((towards - value) / turn + 0.5);
     if (value > high)
         value -= turn * ceil((value - high) / turn);
@@ -352,8 +349,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int puma_ik(const double T[16], const double *q_seed,
-    double q[8][6], unsigned char status[8])
+int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -388,17 +384,18 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     int result = -PUMA_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
-    if (puma_ik(T, q_seed, all, status) == -PUMA_INVALID_POSE)
+    if (puma_ik(T, q_seed, all, status) < 0)
         return -PUMA_INVALID_POSE;
     for (int row = 0; row < 8; row++) {
         double distance = 0.0;
-        if (status[row] == PUMA_OUT_OF_LIMITS && result == -PUMA_UNREACHABLE)
+        if (status[row] == PUMA_OUT_OF_LIMITS && result < 0)
             result = -PUMA_OUT_OF_LIMITS;
         if (status[row] != PUMA_OK && status[row] != PUMA_FREE_JOINT)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/puma.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/puma.yaml. The formulas and where they come from: puma.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -50,31 +50,31 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-D3 = 0.15005  # x of axis 4
-L2 = 0.4318  # z of axis 3
-D4 = 0.4318  # z of axis 5
-k1 = 0.8636  # L2 + D4
-k2 = 0.022515002499999996  # D3 * D3
-free_square_tolerance2 = 1.0274863225e-24  # the same, squared [length^2]
-reach_tolerance1 = 1.0136499999999999e-13  # rounding at the boundary of the workspace [length]
-merge_tolerance1 = 1.0136499999999999e-14  # two branches nearer than this are one [length]
-k4 = 0.37290248000000004  # 2 * (D4 * L2)
-longest2 = 0.7458049600000001  # square of the longest reach
-shortest2 = 0.0  # square of the shortest reach
-longest2_reach = 0.7458049600001752  # the same, longest by rounding
-shortest2_reach = 0.0  # the same, shortest by rounding
-longest2_apart = 0.7458049599999826  # the same, longest for merging
-shortest2_apart = 1.0274863225e-28  # the same, shortest for merging
-k6 = 2.681666262986505  # 1 / (2 * (D4 * L2))
-free_tolerance = 1e-12  # a vector this short fixes no angle
-f1 = 0.8636  # L2 + D4
-g1 = 0.8636  # L2 + D4
+L2 = 0.4318  # z of axis 3 [m]
+D3 = 0.15005  # x of axis 4 [m]
+D4 = 0.4318  # z of axis 5 [m]
+free_limit_squared2 = 1.0274863225e-24  # square of a length that fixes no angle [m^2]
+longest3 = 0.7458049600000001  # square of the longest reach [m^2]
+shortest3 = 0.0  # square of the shortest reach [m^2]
+longest3_reach = 0.7458049600001752  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.7458049599999826  # the longest, where branches merge [m^2]
+shortest3_apart = 1.0274863225e-28  # the shortest, where branches merge [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.8636  # L2 + D4 [m]
+k2 = 0.022515002499999996  # D3^2 [m^2]
+k3 = 3.041963650001027e-14  # reach_slack1 * (2 * D3 + reach_slack1) [m^2]
+k4 = 3.041963650000102e-15  # merge_slack1 * (2 * D3 + merge_slack1) [m^2]
+k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
+k6 = 2.681666262986505  # 1 / (2 * D4 * L2) [m^-2]
+f1 = 0.8636  # L2 + D4 [m]
+g1 = 0.8636  # L2 + D4 [m]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -90,56 +90,56 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v24 = s1 * s2
-    v25 = c1 * s2
-    v26 = s1 * c2
-    v27 = c1 * c2
+    x2_x = s1 * s2
+    v1 = c1 * s2
+    y2_x = s1 * c2
+    v2 = c1 * c2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    v28 = v24 * c3 + v26 * s3
-    v29 = v25 * c3 + v27 * s3
-    v30 = c2 * c3 - s2 * s3
-    v31 = s2 * c3 + c2 * s3
-    v32 = v24 * s3 - v26 * c3
-    v33 = v27 * c3 - v25 * s3
+    x3_x = x2_x * c3 + y2_x * s3
+    v3 = v1 * c3 + v2 * s3
+    x3_z = c2 * c3 - s2 * s3
+    v4 = s2 * c3 + c2 * s3
+    v5 = x2_x * s3 - y2_x * c3
+    v6 = v2 * c3 - v1 * s3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    v34 = c1 * c4 + v32 * s4
-    v35 = s1 * c4 + v33 * s4
-    v36 = v31 * s4
-    v37 = v31 * c4
-    v38 = c1 * s4 - v32 * c4
-    v39 = s1 * s4 - v33 * c4
+    x4_x = c1 * c4 + v5 * s4
+    x4_y = s1 * c4 + v6 * s4
+    x4_z = v4 * s4
+    y4_z = v4 * c4
+    v7 = c1 * s4 - v5 * c4
+    v8 = s1 * s4 - v6 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T13 = v28 * c5 + v38 * s5
-    T23 = v39 * s5 - v29 * c5
-    T33 = v30 * c5 - v37 * s5
-    v40 = v39 * c5 + v29 * s5
-    v41 = v37 * c5 + v30 * s5
-    v42 = v28 * s5 - v38 * c5
+    T13_ = x3_x * c5 + v7 * s5
+    T23_ = v8 * s5 - v3 * c5
+    T33_ = x3_z * c5 - y4_z * s5
+    y5_y = v8 * c5 + v3 * s5
+    v9 = y4_z * c5 + x3_z * s5
+    v10 = x3_x * s5 - v7 * c5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11 = v34 * c6 + v42 * s6
-    T21 = v35 * c6 - v40 * s6
-    T31 = v36 * c6 + v41 * s6
-    T12 = v42 * c6 - v34 * s6
-    T32 = v41 * c6 - v36 * s6
-    T14 = v24 * L2 + c1 * D3 + v28 * D4 - D3 * T11 - T13 * f1
-    T24 = s1 * D3 - v25 * L2 - v29 * D4 - D3 * T21 - T23 * f1
-    T34 = c2 * L2 + v30 * D4 - D3 * T31 - T33 * f1
-    T[0, 0] = T11
-    T[0, 1] = T12
-    T[0, 2] = T13
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = -(v40 * c6 + v35 * s6)
-    T[1, 2] = T23
-    T[1, 3] = T24
-    T[2, 0] = T31
-    T[2, 1] = T32
-    T[2, 2] = T33
-    T[2, 3] = T34
+    T11_ = x4_x * c6 + v10 * s6
+    T21_ = x4_y * c6 - y5_y * s6
+    T31_ = x4_z * c6 + v9 * s6
+    T12_ = v10 * c6 - x4_x * s6
+    T32_ = v9 * c6 - x4_z * s6
+    T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1
+    T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1
+    T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(y5_y * c6 + x4_y * s6)
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -152,74 +152,71 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v35 = s1 * s2
-    v36 = c1 * s2
-    v37 = s1 * c2
-    v38 = c1 * c2
-    v39 = v35 * L2
-    v40 = v36 * L2
-    v41 = c2 * L2
+    x2_x = s1 * s2
+    v1 = c1 * s2
+    y2_x = s1 * c2
+    v2 = c1 * c2
+    p3_x = x2_x * L2
+    v3 = v1 * L2
+    p3_z = c2 * L2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J44 = v35 * c3 + v37 * s3
-    v42 = v36 * c3 + v38 * s3
+    J44 = x2_x * c3 + y2_x * s3
+    v4 = v1 * c3 + v2 * s3
     J64 = c2 * c3 - s2 * s3
-    v43 = s2 * c3 + c2 * s3
-    v44 = v39 + c1 * D3
-    v45 = s1 * D3 - v40
-    v46 = v35 * s3 - v37 * c3
-    v47 = v38 * c3 - v36 * s3
+    v5 = s2 * c3 + c2 * s3
+    p4_x = p3_x + c1 * D3
+    p4_y = s1 * D3 - v3
+    v6 = x2_x * s3 - y2_x * c3
+    v7 = v2 * c3 - v1 * s3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = c1 * c4 + v46 * s4
-    J55 = s1 * c4 + v47 * s4
-    J65 = v43 * s4
-    v48 = v43 * c4
-    v49 = v44 + J44 * D4
-    v50 = v45 - v42 * D4
-    v51 = v41 + J64 * D4
-    v52 = c1 * s4 - v46 * c4
-    v53 = s1 * s4 - v47 * c4
+    J45 = c1 * c4 + v6 * s4
+    J55 = s1 * c4 + v7 * s4
+    J65 = v5 * s4
+    y4_z = v5 * c4
+    p5_x = p4_x + J44 * D4
+    p5_y = p4_y - v4 * D4
+    p5_z = p3_z + J64 * D4
+    v8 = c1 * s4 - v6 * c4
+    v9 = s1 * s4 - v7 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J44 * c5 + v52 * s5
-    J56 = v53 * s5 - v42 * c5
-    J66 = J64 * c5 - v48 * s5
+    J46 = J44 * c5 + v8 * s5
+    J56 = v9 * s5 - v4 * c5
+    J66 = J64 * c5 - y4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    v54 = v50 - D3 * (J55 * c6 - (v53 * c5 + v42 * s5) * s6)
-    J21 = v49 - D3 * (J45 * c6 + (J44 * s5 - v52 * c5) * s6) - J46 * g1
-    v55 = J56 * g1
-    v56 = v54 - v55
-    v57 = v51 - D3 * (J65 * c6 + (v48 * c5 + J64 * s5) * s6) - J66 * g1
-    J11 = v55 - v54
-    J12 = s1 * v57
-    J32 = c1 * v56 - s1 * J21
-    v58 = v57 - v41
-    J13 = s1 * v58
-    J33 = c1 * (v40 + v56) - s1 * (J21 - v39)
-    v59 = J21 - v44
-    v60 = v56 - v45
-    J24 = J64 * v59 - J44 * v58
-    J34 = J44 * v60 + v42 * v59
-    v61 = J21 - v49
-    v62 = v56 - v50
-    v63 = v57 - v51
-    J15 = J55 * v63 - J65 * v62
-    J25 = J65 * v61 - J45 * v63
-    J35 = J45 * v62 - J55 * v61
-    J16 = J56 * v63 - J66 * v62
-    J26 = J66 * v61 - J46 * v63
-    J36 = J46 * v62 - J56 * v61
-    J[0, 0] = J11
+    J21 = p5_x - D3 * (J45 * c6 + (J44 * s5 - v8 * c5) * s6) - J46 * g1
+    v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1
+    v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1
+    J12 = s1 * v11
+    J32 = c1 * v10 - s1 * J21
+    v12 = v11 - p3_z
+    J13 = s1 * v12
+    J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x)
+    v13 = J21 - p4_x
+    v14 = v10 - p4_y
+    J24 = J64 * v13 - J44 * v12
+    J34 = J44 * v14 + v4 * v13
+    v15 = J21 - p5_x
+    v16 = v10 - p5_y
+    v17 = v11 - p5_z
+    J15 = J55 * v17 - J65 * v16
+    J25 = J65 * v15 - J45 * v17
+    J35 = J45 * v16 - J55 * v15
+    J16 = J56 * v17 - J66 * v16
+    J26 = J66 * v15 - J46 * v17
+    J36 = J46 * v16 - J56 * v15
+    J[0, 0] = -v10
     J[0, 1] = J12
     J[0, 2] = J13
-    J[0, 3] = -(v42 * v58 + J64 * v60)
+    J[0, 3] = -(v4 * v12 + J64 * v14)
     J[0, 4] = J15
     J[0, 5] = J16
     J[1, 0] = J21
-    J[1, 1] = -(c1 * v57)
-    J[1, 2] = -(c1 * v58)
+    J[1, 1] = -(c1 * v11)
+    J[1, 2] = -(c1 * v12)
     J[1, 3] = J24
     J[1, 4] = J25
     J[1, 5] = J26
@@ -235,7 +232,7 @@ def jacobian(q):
     J[3, 5] = J46
     J[4, 1] = s1
     J[4, 2] = s1
-    J[4, 3] = -v42
+    J[4, 3] = -v4
     J[4, 4] = J55
     J[4, 5] = J56
     J[5, 0] = 1.0
@@ -246,115 +243,114 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1: type 2
-    t24 = T[1, 3] + D3 * T[1, 0] + k1 * T[1, 2]
-    t14 = T[0, 3] + D3 * T[0, 0] + k1 * T[0, 2]
+    # theta1, type 2: U1[1, 4]
+    t24 = T24 + D3 * T21 + k1 * T23
+    t14 = T14 + D3 * T11 + k1 * T13
     N1 = t24 * t24 + t14 * t14
     D1 = N1 - k2
-    free1 = N1 <= free_square_tolerance2
-    v37 = 2.0 * abs(-D3)
-    apart1 = merge_tolerance1 * (v37 + merge_tolerance1) < D1
-    if not (-(reach_tolerance1 * (v37 + reach_tolerance1)) <= D1):
-        return
+    free1 = N1 <= free_limit_squared2
+    apart1 = k4 < D1
+    if not (-k3 <= D1):
+        return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v39 = 1.0 / (1.0 if free1 else N1)
-    v40 = D3 * t24
-    v41 = D3 * t14
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = D3 * t24
+    v2 = D3 * t14
 
-    # theta3: type 8
-    t34 = T[2, 3] + D3 * T[2, 0] + k1 * T[2, 2]
-    v42 = t34 * t34
+    # theta3, type 8: U1[3, 4] and U1[2, 4]
+    t34 = T34 + D3 * T31 + k1 * T33
+    v3 = t34 * t34
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and (free1 or not apart1):
-            continue
-        v38 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else v39 * (v41 + t24 * v38)
-        s1 = math.sin(seed[0]) if free1 else v39 * (v40 - t14 * v38)
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 + t24 * root1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 - t14 * root1)
         q1 = math.atan2(s1, c1)
 
-        # theta3: type 8
-        N3 = v42 + v38 * v38
-        K3 = N3 - k4
-        D3_ = (longest2 - N3) * (N3 - shortest2)
-        apart3 = shortest2_apart < N3 and N3 < longest2_apart
-        if not (shortest2_reach <= N3 and N3 <= longest2_reach):
-            continue
+        # theta3
+        N3 = v3 + root1 * root1
+        K3 = N3 - k5
+        D3_ = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
         w3 = math.sqrt(D3_ if apart3 else 0.0)
         c3 = K3 * k6
 
-        # theta2: type 3
-        v44 = L2 + D4 * c3
-        v45 = v38 * v44
-        v47 = t34 * v44
+        # theta2, type 3: U1[3, 4] and U1[2, 4]
+        Y1_2 = L2 + D4 * c3
+        v5 = root1 * Y1_2
+        v7 = t34 * Y1_2
 
-        # theta4: type 2
-        v50 = T[0, 2] * s1 - T[1, 2] * c1
-        v51 = T[0, 2] * c1 + T[1, 2] * s1
-        v52 = v51 * v51
+        # theta4, type 2: U4[1, 3]
+        v8 = T13 * s1 - T23 * c1
+        v9 = T13 * c1 + T23 * s1
+        v10 = v9 * v9
 
-        # theta6: type 3
-        v55 = T[0, 1] * c1 + T[1, 1] * s1
-        v56 = T[0, 1] * s1 - T[1, 1] * c1
-        v58 = T[0, 0] * c1 + T[1, 0] * s1
-        v59 = T[0, 0] * s1 - T[1, 0] * c1
+        # theta6, type 3: U4[1, 2] and U4[1, 1]
+        v11 = T12 * c1 + T22 * s1
+        v12 = T12 * s1 - T22 * c1
+        v14 = T11 * c1 + T21 * s1
+        v15 = T11 * s1 - T21 * c1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
-            # theta3: type 8
+            # theta3
             if e2 < 0.0 and not apart3:
-                continue
+                continue  # both signs give the same
             s3 = w3 * e2 * k6
             q3 = math.atan2(s3, c3)
 
-            # theta2: type 3
-            v43 = D4 * s3
-            v46 = t34 * v43 + v45
-            v48 = v47 - v38 * v43
-            w2 = math.sqrt(v46 * v46 + v48 * v48)
-            free2 = w2 <= free_square_tolerance2
-            v49 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else v48 * v49
-            s2 = math.sin(seed[1]) if free2 else -(v46 * v49)
+            # theta2
+            v4 = D4 * s3
+            v6 = t34 * v4 + v5
+            C2 = v7 - root1 * v4
+            w2 = math.sqrt(v6 * v6 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(v6 * factor2)
             q2 = math.atan2(s2, c2)
 
-            # theta4: type 2
+            # theta4
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            X4 = c23 * v50 - T[2, 2] * s23
-            w4 = math.sqrt(X4 * X4 + v52)
-            free4 = w4 <= free_tolerance
-            v53 = 1.0 if free4 else w4
+            X4 = c23 * v8 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v10)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
 
-            # theta5: type 3
-            c5 = T[2, 2] * c23 + s23 * v50
+            # theta5, type 3: U4[3, 3] and U4[2, 3]
+            c5 = T33 * c23 + s23 * v8
 
-            # theta6: type 3
-            v57 = T[2, 1] * s23 - c23 * v56
-            v60 = T[2, 0] * s23 - c23 * v59
+            # theta6
+            v13 = T32 * s23 - c23 * v12
+            v16 = T31 * s23 - c23 * v15
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
-                # theta4: type 2
+                # theta4
                 if e3 < 0.0 and free4:
-                    continue
-                v54 = e3 / v53
-                c4 = math.cos(seed[3]) if free4 else -(X4 * v54)
-                s4 = math.sin(seed[3]) if free4 else -(v51 * v54)
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v9 * factor4)
                 q4 = math.atan2(s4, c4)
 
-                # theta5: type 3
+                # theta5
                 q5 = math.atan2(-(w4 * e3), c5)
 
-                # theta6: type 3
-                c6 = c4 * v58 + s4 * v60
-                q6 = math.atan2(-(c4 * v55 + s4 * v57), c6)
+                # theta6
+                c6 = c4 * v14 + s4 * v16
+                q6 = math.atan2(-(c4 * v11 + s4 * v13), c6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -366,49 +362,73 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -420,15 +440,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (8, 6) and status (8,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(8):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(6):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -436,7 +456,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -450,13 +471,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (8, 6), NaN where there is no solution; float64.
         status: Filled with what each row holds (8,); uint8.
-        q_seed: Values for joints that are indeterminate (6,).
+        q_seed: Values for joints that are indeterminate (6,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -465,7 +488,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (8, 6) and status (8,); row b is always branch BRANCHES[b].
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -474,12 +499,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((8, 6))
     status = np.empty(8, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (6,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -492,10 +519,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(8) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -505,35 +532,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 8, 6) and status (N, 8)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 8, 6))
     status = np.empty((len(T), 8), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -546,8 +575,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

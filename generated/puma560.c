@@ -1,4 +1,5 @@
 /* puma560: Unimation PUMA 560
+ *
  * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
  */
@@ -6,41 +7,46 @@
 
 #include <math.h>
 
-static const double d3 = 0.15005; /* joint offset 3 */
-static const double k1 = 0.022515002499999996; /* d3 * d3 */
-static const double free_square_tolerance2 = 2.9096854084e-24; /* the same, squared [length^2] */
-static const double reach_tolerance1 = 1.7057800000000002e-13; /* rounding at the boundary of the workspace [length] */
-static const double merge_tolerance1 = 1.70578e-14; /* two branches nearer than this are one [length] */
-static const double d1 = 0.67183; /* joint offset 1 */
-static const double a2 = 0.4318; /* link length 2 */
-static const double d4 = 0.4318; /* joint offset 4 */
-static const double k3 = 0.37290248000000004; /* 2 * (d4 * a2) */
-static const double a3 = 0.0203; /* link length 3 */
-static const double k5 = 0.01753108; /* 2 * (a3 * a2) */
-static const double k8 = 0.37331457; /* (d4 * a2) + ((a3 * a3) + (d4 * a2)) */
-static const double longest2 = 0.7466289125534531; /* square of the longest reach */
-static const double shortest2 = 2.274465470660925e-07; /* square of the shortest reach */
-static const double longest2_reach = 0.7466289125537477; /* the same, longest by rounding */
-static const double shortest2_reach = 2.2744654690339056e-07; /* the same, shortest by rounding */
-static const double longest2_apart = 0.7466289125534236; /* the same, longest for merging */
-static const double shortest2_apart = 2.2744654708236271e-07; /* the same, shortest for merging */
-static const double k12 = 7.175474885806929; /* 1 / (((2 * (d4 * a2)) * (2 * (d4 * a2))) + ((2 * (a3 * a2)) * (2 * (a3 * a2)))) */
-static const double free_tolerance = 1e-12; /* a vector this short fixes no angle */
+static const double turn = 6.283185307179586;
+static const double d1 = 0.67183; /* joint offset 1 [m] */
+static const double a2 = 0.4318; /* link length 2 [m] */
+static const double d3 = 0.15005; /* joint offset 3 [m] */
+static const double a3 = 0.0203; /* link length 3 [m] */
+static const double d4 = 0.4318; /* joint offset 4 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 2.9096854084e-24;
+static const double longest3 = 0.7466289125534531; /* square of the longest reach [m^2] */
+static const double shortest3 = 2.274465470660925e-07; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest3_reach = 0.7466289125537477;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest3_reach = 2.2744654690339056e-07;
+/* the longest, where branches merge [m^2] */
+static const double longest3_apart = 0.7466289125534236;
+/* the shortest, where branches merge [m^2] */
+static const double shortest3_apart = 2.2744654708236271e-07;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double k1 = 0.022515002499999996; /* d3^2 [m^2] */
+static const double k2 = 5.11904578000291e-14; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+static const double k3 = 5.1190457800002905e-15; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
+static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
+static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
+static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 
 const char *const puma560_branches[8] = {
-    "left-down-noflip",
-    "left-down-flip",
-    "left-up-noflip",
-    "left-up-flip",
-    "right-down-noflip",
-    "right-down-flip",
-    "right-up-noflip",
-    "right-up-flip",
+    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
+    "right-down-flip", "right-up-noflip", "right-up-flip",
 };
 
-static const double lowest[6] = { -2.792526803190927, -1.9198621771937625, -2.356194490192345, -4.642575810304916, -1.7453292519943295, -4.642575810304916 };
-static const double highest[6] = { 2.792526803190927, 1.9198621771937625, 2.356194490192345, 4.642575810304916, 1.7453292519943295, 4.642575810304916 };
-static const double turn = 6.283185307179586;
+static const double lowest[6] = {
+    -2.792526803190927, -1.9198621771937625, -2.356194490192345, -4.642575810304916,
+    -1.7453292519943295, -4.642575810304916,
+};
+static const double highest[6] = {
+    2.792526803190927, 1.9198621771937625, 2.356194490192345, 4.642575810304916, 1.7453292519943295,
+    4.642575810304916,
+};
 
 void puma560_fk(const double q[6], double T[16])
 {
@@ -48,44 +54,44 @@ void puma560_fk(const double q[6], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v21 = c1 * c2;
-    const double v22 = s1 * c2;
-    const double v23 = c1 * s2;
-    const double v24 = s1 * s2;
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double v1 = c1 * s2;
+    const double v2 = s1 * s2;
     const double c3 = cos(q[2]);
     const double s3 = sin(q[2]);
-    const double v25 = v21 * c3 - v23 * s3;
-    const double v26 = v22 * c3 - v24 * s3;
-    const double v27 = s2 * c3 + c2 * s3;
-    const double v28 = v23 * c3 + v21 * s3;
-    const double v29 = v24 * c3 + v22 * s3;
-    const double v30 = c2 * c3 - s2 * s3;
+    const double x3_x = x2_x * c3 - v1 * s3;
+    const double x3_y = x2_y * c3 - v2 * s3;
+    const double x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3;
+    const double v4 = v2 * c3 + x2_y * s3;
+    const double z3_z = c2 * c3 - s2 * s3;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double v31 = v25 * c4 - s1 * s4;
-    const double v32 = v26 * c4 + c1 * s4;
-    const double v33 = v27 * c4;
-    const double v34 = s1 * c4 + v25 * s4;
-    const double v35 = c1 * c4 - v26 * s4;
-    const double v36 = v27 * s4;
-    const double T14 = v21 * a2 + v25 * a3 + s1 * d3 - v28 * d4;
-    const double T24 = v22 * a2 + v26 * a3 - c1 * d3 - v29 * d4;
-    const double T34 = d1 + s2 * a2 + v27 * a3 + v30 * d4;
+    const double x4_x = x3_x * c4 - s1 * s4;
+    const double x4_y = x3_y * c4 + c1 * s4;
+    const double x4_z = x3_z * c4;
+    const double z4_x = s1 * c4 + x3_x * s4;
+    const double y5_y = c1 * c4 - x3_y * s4;
+    const double z4_z = x3_z * s4;
+    const double T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
+    const double T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
+    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double v37 = v31 * c5 - v28 * s5;
-    const double v38 = v32 * c5 - v29 * s5;
-    const double v39 = v33 * c5 + v30 * s5;
-    const double T33 = v30 * c5 - v33 * s5;
+    const double x5_x = x4_x * c5 - v3 * s5;
+    const double x5_y = x4_y * c5 - v4 * s5;
+    const double x5_z = x4_z * c5 + z3_z * s5;
+    const double T33_ = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]);
     const double s6 = sin(q[5]);
-    const double T11 = v37 * c6 - v34 * s6;
-    const double T21 = v38 * c6 + v35 * s6;
-    const double T31 = v39 * c6 - v36 * s6;
-    const double T22 = v35 * c6 - v38 * s6;
-    T[0] = T11; T[1] = -(v34 * c6 + v37 * s6); T[2] = -(v28 * c5 + v31 * s5); T[3] = T14;
-    T[4] = T21; T[5] = T22; T[6] = -(v29 * c5 + v32 * s5); T[7] = T24;
-    T[8] = T31; T[9] = -(v36 * c6 + v39 * s6); T[10] = T33; T[11] = T34;
+    const double T11_ = x5_x * c6 - z4_x * s6;
+    const double T21_ = x5_y * c6 + y5_y * s6;
+    const double T31_ = x5_z * c6 - z4_z * s6;
+    const double T22_ = y5_y * c6 - x5_y * s6;
+    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
+    T[8] = T31_; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -96,77 +102,74 @@ void puma560_jacobian(const double q[6], double J[36])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v24 = c1 * c2;
-    const double v25 = s1 * c2;
-    const double v26 = c1 * s2;
-    const double v27 = s1 * s2;
-    const double v28 = v24 * a2;
-    const double v29 = v25 * a2;
-    const double v30 = d1 + s2 * a2;
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double v1 = c1 * s2;
+    const double v2 = s1 * s2;
+    const double p2_x = x2_x * a2;
+    const double p2_y = x2_y * a2;
+    const double p2_z = d1 + s2 * a2;
     const double c3 = cos(q[2]);
     const double s3 = sin(q[2]);
-    const double v31 = v24 * c3 - v26 * s3;
-    const double v32 = v25 * c3 - v27 * s3;
-    const double v33 = s2 * c3 + c2 * s3;
-    const double v34 = v26 * c3 + v24 * s3;
-    const double v35 = v27 * c3 + v25 * s3;
+    const double x3_x = x2_x * c3 - v1 * s3;
+    const double x3_y = x2_y * c3 - v2 * s3;
+    const double x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3;
+    const double v4 = v2 * c3 + x2_y * s3;
     const double J64 = c2 * c3 - s2 * s3;
-    const double v36 = v30 + v33 * a3;
-    const double v37 = v28 + v31 * a3 + s1 * d3;
-    const double v38 = v29 + v32 * a3 - c1 * d3;
+    const double p3_z = p2_z + x3_z * a3;
+    const double p3_x = p2_x + x3_x * a3 + s1 * d3;
+    const double p3_y = p2_y + x3_y * a3 - c1 * d3;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + v31 * s4;
-    const double J65 = v33 * s4;
-    const double J21 = v37 - v34 * d4;
-    const double v39 = v35 * d4;
-    const double v40 = v38 - v39;
-    const double v41 = v36 + J64 * d4;
-    const double J55 = v32 * s4 - c1 * c4;
+    const double J45 = s1 * c4 + x3_x * s4;
+    const double J65 = x3_z * s4;
+    const double J21 = p3_x - v3 * d4;
+    const double p4_y = p3_y - v4 * d4;
+    const double p4_z = p3_z + J64 * d4;
+    const double J55 = x3_y * s4 - c1 * c4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double J66 = J64 * c5 - v33 * c4 * s5;
-    const double J11 = v39 - v38;
-    const double v42 = v41 - d1;
-    const double J32 = s1 * v40 + c1 * J21;
-    const double v43 = v41 - v30;
-    const double J33 = s1 * (v40 - v29) + c1 * (J21 - v28);
-    const double v44 = J21 - v37;
-    const double v45 = v40 - v38;
-    const double v46 = v41 - v36;
-    const double J24 = J64 * v44 + v34 * v46;
-    const double J34 = v35 * v44 - v34 * v45;
-    J[0] = J11; J[1] = -(c1 * v42); J[2] = -(c1 * v43); J[3] = -(v35 * v46 + J64 * v45); J[4] = 0.0;
+    const double J66 = J64 * c5 - x3_z * c4 * s5;
+    const double v5 = p4_z - d1;
+    const double J32 = s1 * p4_y + c1 * J21;
+    const double v6 = p4_z - p2_z;
+    const double J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x);
+    const double v7 = J21 - p3_x;
+    const double v8 = p4_y - p3_y;
+    const double v9 = p4_z - p3_z;
+    const double J24 = J64 * v7 + v3 * v9;
+    const double J34 = v4 * v7 - v3 * v8;
+    J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + J64 * v8); J[4] = 0.0;
     J[5] = 0.0;
-    J[6] = J21; J[7] = -(s1 * v42); J[8] = -(s1 * v43); J[9] = J24; J[10] = 0.0; J[11] = 0.0;
+    J[6] = J21; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = J24; J[10] = 0.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = 0.0; J[17] = 0.0;
-    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v34; J[22] = J45; J[23] = -(v34 * c5 + (v31 * c4 -
-    s1 * s4) * s5);
-    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v35; J[28] = J55; J[29] = -(v35 * c5 + (v32 * c4
-    + c1 * s4) * s5);
+    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = J45;
+    J[23] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5);
+    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = J55;
+    J[29] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5);
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 static double misfit(const double T[16])
 {
-    const double *a = T, *b = T + 4, *c = T + 8;
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0;
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] - 1.0;
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double x = a[1] * b[2] - a[2] * b[1] - c[0];
-    const double y = a[2] * b[0] - a[0] * b[2] - c[1];
-    const double z = a[0] * b[1] - a[1] * b[0] - c[2];
-    return aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z;
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
     double R[9], G[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[3 * i + j] = T[4 * i + j];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             G[3 * i + j] = (i == j ? 1.5 : 0.0)
@@ -176,16 +179,13 @@ static void straighten(double T[16])
             T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
@@ -200,106 +200,108 @@ static int read_pose(const double given[16], double T[16])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[6],
-    double q[8][6], unsigned char status[8])
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1: type 2 */
-    const double N1 = T[3] * T[3] + T[7] * T[7];
+    /* theta1, type 2: U1[3, 4] */
+    const double N1 = T14 * T14 + T24 * T24;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_square_tolerance2;
-    const double v33 = 2.0 * fabs(-d3);
-    const int apart1 = merge_tolerance1 * (v33 + merge_tolerance1) < D1;
-    if (!(-(reach_tolerance1 * (v33 + reach_tolerance1)) <= D1)) return;
+    const int free1 = N1 <= free_limit_squared2;
+    const int apart1 = k3 < D1;
+    if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double v35 = 1.0 / (free1 ? 1.0 : N1);
-    const double v36 = T[3] * d3;
-    const double v37 = T[7] * d3;
+    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double v1 = T14 * d3;
+    const double v2 = T24 * d3;
 
-    /* theta3: type 6 */
-    const double v38 = T[11] - d1;
-    const double v39 = v38 * v38;
+    /* theta3, type 6: U1[2, 4] and U1[1, 4] */
+    const double Z1_3 = T34 - d1;
+    const double v3 = Z1_3 * Z1_3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta1: type 2 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue;
-        const double v34 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : v35 * (T[3] * v34 - v37);
-        const double s1 = free1 ? sin(seed[0]) : v35 * (v36 + T[7] * v34);
+        /* theta1 */
+        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        const double root1 = w1 * e1;
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2);
+        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
         const double q1 = atan2(s1, c1);
 
-        /* theta3: type 6 */
-        const double N3 = v39 + v34 * v34;
-        const double K3 = N3 - k8;
-        const double D3 = (longest2 - N3) * (N3 - shortest2);
-        const int apart3 = shortest2_apart < N3 && N3 < longest2_apart;
-        if (!(shortest2_reach <= N3 && N3 <= longest2_reach)) continue;
+        /* theta3 */
+        const double N3 = v3 + root1 * root1;
+        const double K3 = N3 - k6;
+        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v41 = k3 * K3;
-        const double v42 = k5 * K3;
+        const double v4 = k4 * K3;
+        const double v5 = k5 * K3;
 
-        /* theta4: type 2 */
-        const double v48 = T[2] * c1 + T[6] * s1;
-        const double Y4 = T[6] * c1 - T[2] * s1;
-        const double v50 = Y4 * Y4;
+        /* theta4, type 2: U4[3, 3] */
+        const double v6 = T13 * c1 + T23 * s1;
+        const double Y4 = T23 * c1 - T13 * s1;
+        const double v8 = Y4 * Y4;
 
-        /* theta6: type 3 */
-        const double v53 = T[1] * s1 - T[5] * c1;
-        const double v54 = T[1] * c1 + T[5] * s1;
-        const double v56 = T[0] * s1 - T[4] * c1;
-        const double v57 = T[0] * c1 + T[4] * s1;
+        /* theta6, type 3: U4[3, 2] and U4[3, 1] */
+        const double v9 = T12 * s1 - T22 * c1;
+        const double v10 = T12 * c1 + T22 * s1;
+        const double v12 = T11 * s1 - T21 * c1;
+        const double v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
-            /* theta3: type 6 */
-            if (e2 < 0.0 && !apart3) continue;
-            const double v40 = w3 * e2;
-            const double s3 = (k5 * v40 - v41) * k12;
-            const double c3 = k12 * (v42 + k3 * v40);
+            /* theta3 */
+            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
+            const double root3 = w3 * e2;
+            const double s3 = (k5 * root3 - v4) * k7;
+            const double c3 = k7 * (v5 + k4 * root3);
             const double q3 = atan2(s3, c3);
 
-            /* theta2: type 3 */
-            const double v43 = a2 + (a3 * c3 - d4 * s3);
-            const double v44 = d4 * c3 + a3 * s3;
-            const double v45 = v38 * v43 - v34 * v44;
-            const double v46 = v34 * v43 + v38 * v44;
-            const double w2 = sqrt(v45 * v45 + v46 * v46);
-            const int free2 = w2 <= free_square_tolerance2;
-            const double v47 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : v46 * v47;
-            const double s2 = free2 ? sin(seed[1]) : v45 * v47;
+            /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+            const double X1_2 = a2 + (a3 * c3 - d4 * s3);
+            const double Y1_2 = d4 * c3 + a3 * s3;
+            const double S2 = Z1_3 * X1_2 - root1 * Y1_2;
+            const double C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const double w2 = sqrt(S2 * S2 + C2 * C2);
+            const int free2 = w2 <= free_limit_squared2;
+            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
+            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
 
-            /* theta4: type 2 */
+            /* theta4 */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double v49 = c23 * v48 + T[10] * s23;
-            const double w4 = sqrt(v49 * v49 + v50);
-            const int free4 = w4 <= free_tolerance;
-            const double v51 = free4 ? 1.0 : w4;
+            const double v7 = c23 * v6 + T33 * s23;
+            const double w4 = sqrt(v7 * v7 + v8);
+            const int free4 = w4 <= free_limit;
+            const double divisor4 = free4 ? 1.0 : w4;
 
-            /* theta5: type 3 */
-            const double c5 = T[10] * c23 - s23 * v48;
+            /* theta5, type 3: U4[2, 3] and U4[1, 3] */
+            const double c5 = T33 * c23 - s23 * v6;
 
-            /* theta6: type 3 */
-            const double v55 = c23 * v54 + T[9] * s23;
-            const double v58 = c23 * v57 + T[8] * s23;
+            /* theta6 */
+            const double v11 = c23 * v10 + T32 * s23;
+            const double v14 = c23 * v13 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
-                /* theta4: type 2 */
-                if (e3 < 0.0 && free4) continue;
-                const double v52 = e3 / v51;
-                const double c4 = free4 ? cos(seed[3]) : v49 * v52;
-                const double s4 = free4 ? sin(seed[3]) : Y4 * v52;
+                /* theta4 */
+                if (e3 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e3 / divisor4;
+                const double c4 = free4 ? cos(seed[3]) : v7 * factor4;
+                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
-                /* theta5: type 3 */
+                /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
-                /* theta6: type 3 */
-                const double q6 = atan2(-(c4 * v56 + s4 * v58), -(c4 * v53 + s4 * v55));
+                /* theta6 */
+                const double q6 = atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1;
                 q[row][1] = q2;
@@ -307,7 +309,7 @@ static void solve(const double T[16], const double seed[6],
                 q[row][3] = q4;
                 q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = free1 || free2 || free4 ? PUMA560_FREE_JOINT : PUMA560_OK;
+                status[row] = (free1 || free2 || free4) ? PUMA560_FREE_JOINT : PUMA560_OK;
             }
         }
     }
@@ -316,7 +318,8 @@ static void solve(const double T[16], const double seed[6],
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     value += turn * floor((towards - value) / turn + 0.5);
     if (value > high)
         value -= turn * ceil((value - high) / turn);
@@ -330,8 +333,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int puma560_ik(const double T[16], const double *q_seed,
-    double q[8][6], unsigned char status[8])
+int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -366,17 +368,18 @@ int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     int result = -PUMA560_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
-    if (puma560_ik(T, q_seed, all, status) == -PUMA560_INVALID_POSE)
+    if (puma560_ik(T, q_seed, all, status) < 0)
         return -PUMA560_INVALID_POSE;
     for (int row = 0; row < 8; row++) {
         double distance = 0.0;
-        if (status[row] == PUMA560_OUT_OF_LIMITS && result == -PUMA560_UNREACHABLE)
+        if (status[row] == PUMA560_OUT_OF_LIMITS && result < 0)
             result = -PUMA560_OUT_OF_LIMITS;
         if (status[row] != PUMA560_OK && status[row] != PUMA560_FREE_JOINT)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/puma560.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -50,32 +50,32 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-d3 = 0.15005  # joint offset 3
-k1 = 0.022515002499999996  # d3 * d3
-free_square_tolerance2 = 2.9096854084e-24  # the same, squared [length^2]
-reach_tolerance1 = 1.7057800000000002e-13  # rounding at the boundary of the workspace [length]
-merge_tolerance1 = 1.70578e-14  # two branches nearer than this are one [length]
-d1 = 0.67183  # joint offset 1
-a2 = 0.4318  # link length 2
-d4 = 0.4318  # joint offset 4
-k3 = 0.37290248000000004  # 2 * (d4 * a2)
-a3 = 0.0203  # link length 3
-k5 = 0.01753108  # 2 * (a3 * a2)
-k8 = 0.37331457  # (d4 * a2) + ((a3 * a3) + (d4 * a2))
-longest2 = 0.7466289125534531  # square of the longest reach
-shortest2 = 2.274465470660925e-07  # square of the shortest reach
-longest2_reach = 0.7466289125537477  # the same, longest by rounding
-shortest2_reach = 2.2744654690339056e-07  # the same, shortest by rounding
-longest2_apart = 0.7466289125534236  # the same, longest for merging
-shortest2_apart = 2.2744654708236271e-07  # the same, shortest for merging
-k12 = 7.175474885806929  # 1 / (((2 * (d4 * a2)) * (2 * (d4 * a2))) + ((2 * (a3 * a2)) * (2 * (a3 * a2))))
-free_tolerance = 1e-12  # a vector this short fixes no angle
+d1 = 0.67183  # joint offset 1 [m]
+a2 = 0.4318  # link length 2 [m]
+d3 = 0.15005  # joint offset 3 [m]
+a3 = 0.0203  # link length 3 [m]
+d4 = 0.4318  # joint offset 4 [m]
+free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
+longest3 = 0.7466289125534531  # square of the longest reach [m^2]
+shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
+longest3_reach = 0.7466289125537477  # the longest, with what rounding adds [m^2]
+shortest3_reach = 2.2744654690339056e-07  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
+shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.022515002499999996  # d3^2 [m^2]
+k2 = 5.11904578000291e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
+k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
+k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
+k5 = 0.01753108  # 2 * a3 * a2 [m^2]
+k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
+k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -91,53 +91,53 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v21 = c1 * c2
-    v22 = s1 * c2
-    v23 = c1 * s2
-    v24 = s1 * s2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    v25 = v21 * c3 - v23 * s3
-    v26 = v22 * c3 - v24 * s3
-    v27 = s2 * c3 + c2 * s3
-    v28 = v23 * c3 + v21 * s3
-    v29 = v24 * c3 + v22 * s3
-    v30 = c2 * c3 - s2 * s3
+    x3_x = x2_x * c3 - v1 * s3
+    x3_y = x2_y * c3 - v2 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v3 = v1 * c3 + x2_x * s3
+    v4 = v2 * c3 + x2_y * s3
+    z3_z = c2 * c3 - s2 * s3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    v31 = v25 * c4 - s1 * s4
-    v32 = v26 * c4 + c1 * s4
-    v33 = v27 * c4
-    v34 = s1 * c4 + v25 * s4
-    v35 = c1 * c4 - v26 * s4
-    v36 = v27 * s4
-    T14 = v21 * a2 + v25 * a3 + s1 * d3 - v28 * d4
-    T24 = v22 * a2 + v26 * a3 - c1 * d3 - v29 * d4
-    T34 = d1 + s2 * a2 + v27 * a3 + v30 * d4
+    x4_x = x3_x * c4 - s1 * s4
+    x4_y = x3_y * c4 + c1 * s4
+    x4_z = x3_z * c4
+    z4_x = s1 * c4 + x3_x * s4
+    y5_y = c1 * c4 - x3_y * s4
+    z4_z = x3_z * s4
+    T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4
+    T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4
+    T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    v37 = v31 * c5 - v28 * s5
-    v38 = v32 * c5 - v29 * s5
-    v39 = v33 * c5 + v30 * s5
-    T33 = v30 * c5 - v33 * s5
+    x5_x = x4_x * c5 - v3 * s5
+    x5_y = x4_y * c5 - v4 * s5
+    x5_z = x4_z * c5 + z3_z * s5
+    T33_ = z3_z * c5 - x4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11 = v37 * c6 - v34 * s6
-    T21 = v38 * c6 + v35 * s6
-    T31 = v39 * c6 - v36 * s6
-    T22 = v35 * c6 - v38 * s6
-    T[0, 0] = T11
-    T[0, 1] = -(v34 * c6 + v37 * s6)
-    T[0, 2] = -(v28 * c5 + v31 * s5)
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T22
-    T[1, 2] = -(v29 * c5 + v32 * s5)
-    T[1, 3] = T24
-    T[2, 0] = T31
-    T[2, 1] = -(v36 * c6 + v39 * s6)
-    T[2, 2] = T33
-    T[2, 3] = T34
+    T11_ = x5_x * c6 - z4_x * s6
+    T21_ = x5_y * c6 + y5_y * s6
+    T31_ = x5_z * c6 - z4_z * s6
+    T22_ = y5_y * c6 - x5_y * s6
+    T[0, 0] = T11_
+    T[0, 1] = -(z4_x * c6 + x5_x * s6)
+    T[0, 2] = -(v3 * c5 + x4_x * s5)
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = -(v4 * c5 + x4_y * s5)
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = -(z4_z * c6 + x5_z * s6)
+    T[2, 2] = T33_
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -150,67 +150,65 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v24 = c1 * c2
-    v25 = s1 * c2
-    v26 = c1 * s2
-    v27 = s1 * s2
-    v28 = v24 * a2
-    v29 = v25 * a2
-    v30 = d1 + s2 * a2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 + s2 * a2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    v31 = v24 * c3 - v26 * s3
-    v32 = v25 * c3 - v27 * s3
-    v33 = s2 * c3 + c2 * s3
-    v34 = v26 * c3 + v24 * s3
-    v35 = v27 * c3 + v25 * s3
+    x3_x = x2_x * c3 - v1 * s3
+    x3_y = x2_y * c3 - v2 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v3 = v1 * c3 + x2_x * s3
+    v4 = v2 * c3 + x2_y * s3
     J64 = c2 * c3 - s2 * s3
-    v36 = v30 + v33 * a3
-    v37 = v28 + v31 * a3 + s1 * d3
-    v38 = v29 + v32 * a3 - c1 * d3
+    p3_z = p2_z + x3_z * a3
+    p3_x = p2_x + x3_x * a3 + s1 * d3
+    p3_y = p2_y + x3_y * a3 - c1 * d3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = s1 * c4 + v31 * s4
-    J65 = v33 * s4
-    J21 = v37 - v34 * d4
-    v39 = v35 * d4
-    v40 = v38 - v39
-    v41 = v36 + J64 * d4
-    J55 = v32 * s4 - c1 * c4
+    J45 = s1 * c4 + x3_x * s4
+    J65 = x3_z * s4
+    J21 = p3_x - v3 * d4
+    p4_y = p3_y - v4 * d4
+    p4_z = p3_z + J64 * d4
+    J55 = x3_y * s4 - c1 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J66 = J64 * c5 - v33 * c4 * s5
-    J11 = v39 - v38
-    v42 = v41 - d1
-    J32 = s1 * v40 + c1 * J21
-    v43 = v41 - v30
-    J33 = s1 * (v40 - v29) + c1 * (J21 - v28)
-    v44 = J21 - v37
-    v45 = v40 - v38
-    v46 = v41 - v36
-    J24 = J64 * v44 + v34 * v46
-    J34 = v35 * v44 - v34 * v45
-    J[0, 0] = J11
-    J[0, 1] = -(c1 * v42)
-    J[0, 2] = -(c1 * v43)
-    J[0, 3] = -(v35 * v46 + J64 * v45)
+    J66 = J64 * c5 - x3_z * c4 * s5
+    v5 = p4_z - d1
+    J32 = s1 * p4_y + c1 * J21
+    v6 = p4_z - p2_z
+    J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x)
+    v7 = J21 - p3_x
+    v8 = p4_y - p3_y
+    v9 = p4_z - p3_z
+    J24 = J64 * v7 + v3 * v9
+    J34 = v4 * v7 - v3 * v8
+    J[0, 0] = -p4_y
+    J[0, 1] = -(c1 * v5)
+    J[0, 2] = -(c1 * v6)
+    J[0, 3] = -(v4 * v9 + J64 * v8)
     J[1, 0] = J21
-    J[1, 1] = -(s1 * v42)
-    J[1, 2] = -(s1 * v43)
+    J[1, 1] = -(s1 * v5)
+    J[1, 2] = -(s1 * v6)
     J[1, 3] = J24
     J[2, 1] = J32
     J[2, 2] = J33
     J[2, 3] = J34
     J[3, 1] = s1
     J[3, 2] = s1
-    J[3, 3] = -v34
+    J[3, 3] = -v3
     J[3, 4] = J45
-    J[3, 5] = -(v34 * c5 + (v31 * c4 - s1 * s4) * s5)
+    J[3, 5] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
     J[4, 1] = -c1
     J[4, 2] = -c1
-    J[4, 3] = -v35
+    J[4, 3] = -v4
     J[4, 4] = J55
-    J[4, 5] = -(v35 * c5 + (v32 * c4 + c1 * s4) * s5)
+    J[4, 5] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
     J[5, 0] = 1.0
     J[5, 3] = J64
     J[5, 4] = J65
@@ -219,111 +217,110 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1: type 2
-    N1 = T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3]
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
     D1 = N1 - k1
-    free1 = N1 <= free_square_tolerance2
-    v33 = 2.0 * abs(-d3)
-    apart1 = merge_tolerance1 * (v33 + merge_tolerance1) < D1
-    if not (-(reach_tolerance1 * (v33 + reach_tolerance1)) <= D1):
-        return
+    free1 = N1 <= free_limit_squared2
+    apart1 = k3 < D1
+    if not (-k2 <= D1):
+        return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v35 = 1.0 / (1.0 if free1 else N1)
-    v36 = T[0, 3] * d3
-    v37 = T[1, 3] * d3
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = T14 * d3
+    v2 = T24 * d3
 
-    # theta3: type 6
-    v38 = T[2, 3] - d1
-    v39 = v38 * v38
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    v3 = Z1_3 * Z1_3
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and (free1 or not apart1):
-            continue
-        v34 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else v35 * (T[0, 3] * v34 - v37)
-        s1 = math.sin(seed[0]) if free1 else v35 * (v36 + T[1, 3] * v34)
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (T14 * root1 - v2)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 + T24 * root1)
         q1 = math.atan2(s1, c1)
 
-        # theta3: type 6
-        N3 = v39 + v34 * v34
-        K3 = N3 - k8
-        D3 = (longest2 - N3) * (N3 - shortest2)
-        apart3 = shortest2_apart < N3 and N3 < longest2_apart
-        if not (shortest2_reach <= N3 and N3 <= longest2_reach):
-            continue
+        # theta3
+        N3 = v3 + root1 * root1
+        K3 = N3 - k6
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v41 = k3 * K3
-        v42 = k5 * K3
+        v4 = k4 * K3
+        v5 = k5 * K3
 
-        # theta4: type 2
-        v48 = T[0, 2] * c1 + T[1, 2] * s1
-        Y4 = T[1, 2] * c1 - T[0, 2] * s1
-        v50 = Y4 * Y4
+        # theta4, type 2: U4[3, 3]
+        v6 = T13 * c1 + T23 * s1
+        Y4 = T23 * c1 - T13 * s1
+        v8 = Y4 * Y4
 
-        # theta6: type 3
-        v53 = T[0, 1] * s1 - T[1, 1] * c1
-        v54 = T[0, 1] * c1 + T[1, 1] * s1
-        v56 = T[0, 0] * s1 - T[1, 0] * c1
-        v57 = T[0, 0] * c1 + T[1, 0] * s1
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v9 = T12 * s1 - T22 * c1
+        v10 = T12 * c1 + T22 * s1
+        v12 = T11 * s1 - T21 * c1
+        v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
-            # theta3: type 6
+            # theta3
             if e2 < 0.0 and not apart3:
-                continue
-            v40 = w3 * e2
-            s3 = (k5 * v40 - v41) * k12
-            c3 = k12 * (v42 + k3 * v40)
+                continue  # both signs give the same
+            root3 = w3 * e2
+            s3 = (k5 * root3 - v4) * k7
+            c3 = k7 * (v5 + k4 * root3)
             q3 = math.atan2(s3, c3)
 
-            # theta2: type 3
-            v43 = a2 + (a3 * c3 - d4 * s3)
-            v44 = d4 * c3 + a3 * s3
-            v45 = v38 * v43 - v34 * v44
-            v46 = v34 * v43 + v38 * v44
-            w2 = math.sqrt(v45 * v45 + v46 * v46)
-            free2 = w2 <= free_square_tolerance2
-            v47 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else v46 * v47
-            s2 = math.sin(seed[1]) if free2 else v45 * v47
+            # theta2, type 3: U1[2, 4] and U1[1, 4]
+            X1_2 = a2 + (a3 * c3 - d4 * s3)
+            Y1_2 = d4 * c3 + a3 * s3
+            S2 = Z1_3 * X1_2 - root1 * Y1_2
+            C2 = root1 * X1_2 + Z1_3 * Y1_2
+            w2 = math.sqrt(S2 * S2 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
             q2 = math.atan2(s2, c2)
 
-            # theta4: type 2
+            # theta4
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v49 = c23 * v48 + T[2, 2] * s23
-            w4 = math.sqrt(v49 * v49 + v50)
-            free4 = w4 <= free_tolerance
-            v51 = 1.0 if free4 else w4
+            v7 = c23 * v6 + T33 * s23
+            w4 = math.sqrt(v7 * v7 + v8)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
 
-            # theta5: type 3
-            c5 = T[2, 2] * c23 - s23 * v48
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = T33 * c23 - s23 * v6
 
-            # theta6: type 3
-            v55 = c23 * v54 + T[2, 1] * s23
-            v58 = c23 * v57 + T[2, 0] * s23
+            # theta6
+            v11 = c23 * v10 + T32 * s23
+            v14 = c23 * v13 + T31 * s23
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
-                # theta4: type 2
+                # theta4
                 if e3 < 0.0 and free4:
-                    continue
-                v52 = e3 / v51
-                c4 = math.cos(seed[3]) if free4 else v49 * v52
-                s4 = math.sin(seed[3]) if free4 else Y4 * v52
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else v7 * factor4
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = math.atan2(s4, c4)
 
-                # theta5: type 3
+                # theta5
                 q5 = math.atan2(-(w4 * e3), c5)
 
-                # theta6: type 3
-                q6 = math.atan2(-(c4 * v56 + s4 * v58), -(c4 * v53 + s4 * v55))
+                # theta6
+                q6 = math.atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
                 q[row, 1] = q2
@@ -335,49 +332,73 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -389,15 +410,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (8, 6) and status (8,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(8):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(6):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -405,7 +426,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -419,13 +441,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (8, 6), NaN where there is no solution; float64.
         status: Filled with what each row holds (8,); uint8.
-        q_seed: Values for joints that are indeterminate (6,).
+        q_seed: Values for joints that are indeterminate (6,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -434,7 +458,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (8, 6) and status (8,); row b is always branch BRANCHES[b].
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -443,12 +469,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((8, 6))
     status = np.empty(8, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (6,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -461,10 +489,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(8) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -474,35 +502,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 8, 6) and status (N, 8)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 8, 6))
     status = np.empty((len(T), 8), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -515,8 +545,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

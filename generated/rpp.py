@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/rpp.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/rpp.yaml. The formulas and where they come from: rpp.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the position T[0:3, 3] is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
 """
 
 import math
@@ -41,14 +41,15 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-d1 = 0.5  # joint offset 1
-free_tolerance1 = 5e-13  # a vector this short fixes no angle [length]
+d1 = 0.5  # joint offset 1 [m]
+free_limit1 = 5e-13  # a length that fixes no angle [m]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 4.0, 4.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 4.0, 4.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -62,16 +63,16 @@ def fk(q):
     T = np.zeros((4, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    T24 = c1 * q[1]
-    T34 = d1 + q[2]
+    T24_ = c1 * q[1]
+    T34_ = d1 + q[2]
     T[0, 0] = c1
     T[0, 1] = -s1
     T[0, 3] = -(s1 * q[1])
     T[1, 0] = s1
     T[1, 1] = c1
-    T[1, 3] = T24
+    T[1, 3] = T24_
     T[2, 2] = 1.0
-    T[2, 3] = T34
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -92,26 +93,26 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
-    # r3: type 1
-    r3 = T[2, 3] - d1
+    # r3, type 1: U0[3, 4]
+    r3 = T34 - d1
 
-    # theta1, r2: type 4
-    w2 = math.sqrt(T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3])
-    free1 = w2 <= free_tolerance1
-    v8 = 1.0 if free1 else w2
+    # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
+    w2 = math.sqrt(T14 * T14 + T24 * T24)
+    free1 = w2 <= free_limit1
+    divisor1 = 1.0 if free1 else w2
 
     for i1 in range(2):  # forward, backward
         e1 = 1.0 - 2.0 * i1
-        # theta1, r2: type 4
+        # theta1, r2
         if e1 < 0.0 and free1:
-            continue
-        v9 = e1 / v8
-        c1 = math.cos(seed[0]) if free1 else T[1, 3] * v9
-        s1 = math.sin(seed[0]) if free1 else -(T[0, 3] * v9)
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else T24 * factor1
+        s1 = math.sin(seed[0]) if free1 else -(T14 * factor1)
         q1 = math.atan2(s1, c1)
         r2 = w2 * e1
         row = i1
@@ -122,15 +123,20 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    return 1
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
@@ -149,15 +155,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 3) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -165,7 +171,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(3):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -179,13 +186,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (3,).
+        q_seed: Values for joints that are indeterminate (3,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -194,7 +203,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 3) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 3) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -203,12 +214,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 3))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -221,10 +234,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -234,35 +247,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 3) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 3) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 3))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -275,6 +290,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:

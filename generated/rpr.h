@@ -1,9 +1,10 @@
 /* rpr: Arm with a revolute, a prismatic and a revolute joint
+ *
  * Inverse kinematics, generated from robots/rpr.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/rpr.yaml. The formulas and where they come from: rpr.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the position T[0:3, 3] is meant; other entries are ignored.
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
  */
 #ifndef RPR_H
 #define RPR_H
@@ -15,38 +16,46 @@ extern "C" {
 #endif
 
 enum {
-    RPR_DOF = 3,
-    RPR_ROWS = 4
+    RPR_DOF = 3, /* joints */
+    RPR_ROWS = 4 /* branches */
 };
 
 /* What a row of rpr_ik holds. */
 enum {
-    RPR_OK = 0,            /* joint values */
-    RPR_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    RPR_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    RPR_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    RPR_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    RPR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    RPR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    RPR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    RPR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    RPR_INVALID_POSE = 4
 };
 
-/* The name of every row: left-noflip, left-flip, right-noflip, right-flip. */
+/* The name of every row. */
 extern const char *const rpr_branches[4];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void rpr_fk(const double q[3], double T[16]);
 
-/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void rpr_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -RPR_INVALID_POSE. */
-int rpr_ik(const double T[16], const double *q_seed,
-    double q[4][3], unsigned char status[4]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -RPR_INVALID_POSE. */
+int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns RPR_OK or
- * RPR_FREE_JOINT, or minus RPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns RPR_OK or RPR_FREE_JOINT, or, with NaN in q,
+ * minus RPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
-/* rpr_ik for n poses: T is n x 16, q n x 4 x 3, status n x 4. */
+/* rpr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
 void rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
 /* rrprrr: RRPRRR arm
+ *
  * Inverse kinematics, generated from robots/rrprrr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rrprrr.yaml. The formulas and where they come from: rrprrr.md.
  */
@@ -6,25 +7,22 @@
 
 #include <math.h>
 
-static const double free_tolerance1 = 1e-12; /* a vector this short fixes no angle [length] */
-static const double free_tolerance = 1e-12; /* a vector this short fixes no angle */
+static const double turn = 6.283185307179586;
+static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
+static const double free_limit = 1e-12; /* a length that fixes no angle */
 
 const char *const rrprrr_branches[8] = {
-    "left-forward-noflip",
-    "left-forward-flip",
-    "left-backward-noflip",
-    "left-backward-flip",
-    "right-forward-noflip",
-    "right-forward-flip",
-    "right-backward-noflip",
-    "right-backward-flip",
+    "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
+    "right-forward-noflip", "right-forward-flip", "right-backward-noflip", "right-backward-flip",
 };
 
-static const double lowest[6] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-static const double turn = 6.283185307179586;
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
-static const double weight[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* of squared differences: lengths by arm size */
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 void rrprrr_fk(const double q[6], double T[16])
 {
@@ -32,37 +30,37 @@ void rrprrr_fk(const double q[6], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v20 = c1 * c2;
-    const double v21 = s1 * c2;
-    const double v22 = c1 * s2;
-    const double v23 = s1 * s2;
-    const double T14 = v22 * q[2];
-    const double T24 = v23 * q[2];
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double z3_x = c1 * s2;
+    const double z3_y = s1 * s2;
+    const double T14_ = z3_x * q[2];
+    const double T24_ = z3_y * q[2];
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double v24 = v20 * c4 + s1 * s4;
-    const double v25 = v21 * c4 - c1 * s4;
-    const double v26 = s2 * c4;
-    const double v27 = s1 * c4 - v20 * s4;
-    const double v28 = c1 * c4 + v21 * s4;
-    const double v29 = s2 * s4;
+    const double x4_x = x2_x * c4 + s1 * s4;
+    const double x4_y = x2_y * c4 - c1 * s4;
+    const double x4_z = s2 * c4;
+    const double y4_x = s1 * c4 - x2_x * s4;
+    const double v1 = c1 * c4 + x2_y * s4;
+    const double v2 = s2 * s4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double v30 = v24 * c5 - v22 * s5;
-    const double v31 = v25 * c5 - v23 * s5;
-    const double v32 = v26 * c5 + c2 * s5;
-    const double T13 = v22 * c5 + v24 * s5;
-    const double T23 = v23 * c5 + v25 * s5;
-    const double T33 = v26 * s5 - c2 * c5;
+    const double x5_x = x4_x * c5 - z3_x * s5;
+    const double x5_y = x4_y * c5 - z3_y * s5;
+    const double x5_z = x4_z * c5 + c2 * s5;
+    const double T13_ = z3_x * c5 + x4_x * s5;
+    const double T23_ = z3_y * c5 + x4_y * s5;
+    const double T33_ = x4_z * s5 - c2 * c5;
     const double c6 = cos(q[5]);
     const double s6 = sin(q[5]);
-    const double T11 = v30 * c6 + v27 * s6;
-    const double T21 = v31 * c6 - v28 * s6;
-    const double T31 = v32 * c6 - v29 * s6;
-    const double T12 = v27 * c6 - v30 * s6;
-    T[0] = T11; T[1] = T12; T[2] = T13; T[3] = T14;
-    T[4] = T21; T[5] = -(v28 * c6 + v31 * s6); T[6] = T23; T[7] = T24;
-    T[8] = T31; T[9] = -(v29 * c6 + v32 * s6); T[10] = T33; T[11] = -(c2 * q[2]);
+    const double T11_ = x5_x * c6 + y4_x * s6;
+    const double T21_ = x5_y * c6 - v1 * s6;
+    const double T31_ = x5_z * c6 - v2 * s6;
+    const double T12_ = y4_x * c6 - x5_x * s6;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = -(v1 * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = -(v2 * c6 + x5_z * s6); T[10] = T33_; T[11] = -(c2 * q[2]);
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -73,52 +71,51 @@ void rrprrr_jacobian(const double q[6], double J[36])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v21 = c1 * c2;
-    const double v22 = s1 * c2;
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
     const double J13 = c1 * s2;
     const double J23 = s1 * s2;
     const double J21 = J13 * q[2];
-    const double v23 = J23 * q[2];
-    const double v24 = c2 * q[2];
+    const double p3_y = J23 * q[2];
+    const double v1 = c2 * q[2];
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 - v21 * s4;
+    const double J45 = s1 * c4 - x2_x * s4;
     const double c5 = cos(q[4]);
     const double s5 = sin(q[4]);
-    const double J46 = J13 * c5 + (v21 * c4 + s1 * s4) * s5;
-    const double J56 = J23 * c5 + (v22 * c4 - c1 * s4) * s5;
+    const double J46 = J13 * c5 + (x2_x * c4 + s1 * s4) * s5;
+    const double J56 = J23 * c5 + (x2_y * c4 - c1 * s4) * s5;
     const double J66 = s2 * c4 * s5 - c2 * c5;
-    const double J12 = c1 * v24;
-    const double J22 = s1 * v24;
-    const double J32 = s1 * v23 + c1 * J21;
-    J[0] = -v23; J[1] = J12; J[2] = J13; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
+    const double J12 = c1 * v1;
+    const double J22 = s1 * v1;
+    const double J32 = s1 * p3_y + c1 * J21;
+    J[0] = -p3_y; J[1] = J12; J[2] = J13; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = J32; J[14] = -c2; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
     J[18] = 0.0; J[19] = s1; J[20] = 0.0; J[21] = J13; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -c1; J[26] = 0.0; J[27] = J23; J[28] = -(c1 * c4 + v22 * s4); J[29] = J56;
+    J[24] = 0.0; J[25] = -c1; J[26] = 0.0; J[27] = J23; J[28] = -(c1 * c4 + x2_y * s4); J[29] = J56;
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -c2; J[34] = -(s2 * s4); J[35] = J66;
 }
 
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 static double misfit(const double T[16])
 {
-    const double *a = T, *b = T + 4, *c = T + 8;
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0;
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] - 1.0;
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double x = a[1] * b[2] - a[2] * b[1] - c[0];
-    const double y = a[2] * b[0] - a[0] * b[2] - c[1];
-    const double z = a[0] * b[1] - a[1] * b[0] - c[2];
-    return aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z;
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
     double R[9], G[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[3 * i + j] = T[4 * i + j];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             G[3 * i + j] = (i == j ? 1.5 : 0.0)
@@ -128,16 +125,13 @@ static void straighten(double T[16])
             T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
@@ -152,81 +146,84 @@ static int read_pose(const double given[16], double T[16])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[6],
-    double q[8][6], unsigned char status[8])
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1: type 2 */
-    const double w1 = sqrt(T[3] * T[3] + T[7] * T[7]);
-    const int free1 = w1 <= free_tolerance1;
-    const double v22 = free1 ? 1.0 : w1;
+    /* theta1, type 2: U1[2, 4] */
+    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const int free1 = w1 <= free_limit1;
+    const double divisor1 = free1 ? 1.0 : w1;
 
-    /* theta2, r3: type 4 */
-    const double v25 = T[11] * T[11];
+    /* theta2, r3, type 4: U1[1, 4] and U1[3, 4] */
+    const double v1 = T34 * T34;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta1: type 2 */
-        if (e1 < 0.0 && free1) continue;
-        const double v23 = e1 / v22;
-        const double c1 = free1 ? cos(seed[0]) : -(T[3] * v23);
-        const double s1 = free1 ? sin(seed[0]) : -(T[7] * v23);
+        /* theta1 */
+        if (e1 < 0.0 && free1) continue; /* both signs give the same */
+        const double factor1 = e1 / divisor1;
+        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1);
+        const double s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
-        const double v24 = w1 * e1;
+        const double root1 = w1 * e1;
 
-        /* theta2, r3: type 4 */
-        const double w3 = sqrt(v24 * v24 + v25);
-        const int free2 = w3 <= free_tolerance1;
-        const double v26 = free2 ? 1.0 : w3;
+        /* theta2, r3 */
+        const double w3 = sqrt(root1 * root1 + v1);
+        const int free2 = w3 <= free_limit1;
+        const double divisor2 = free2 ? 1.0 : w3;
 
-        /* theta4: type 2 */
-        const double v28 = T[2] * c1 + T[6] * s1;
-        const double Y4 = T[6] * c1 - T[2] * s1;
-        const double v29 = Y4 * Y4;
+        /* theta4, type 2: U4[2, 3] */
+        const double v2 = T13 * c1 + T23 * s1;
+        const double Y4 = T23 * c1 - T13 * s1;
+        const double v3 = Y4 * Y4;
 
-        /* theta6: type 3 */
-        const double v32 = T[5] * c1 - T[1] * s1;
-        const double v33 = T[1] * c1 + T[5] * s1;
-        const double v35 = T[4] * c1 - T[0] * s1;
-        const double v36 = T[0] * c1 + T[4] * s1;
+        /* theta6, type 3: U4[2, 2] and U4[2, 1] */
+        const double v4 = T22 * c1 - T12 * s1;
+        const double v5 = T12 * c1 + T22 * s1;
+        const double v7 = T21 * c1 - T11 * s1;
+        const double v8 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* forward, backward */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
-            /* theta2, r3: type 4 */
-            if (e2 < 0.0 && free2) continue;
-            const double v27 = e2 / v26;
-            const double c2 = free2 ? cos(seed[1]) : -(T[11] * v27);
-            const double s2 = free2 ? sin(seed[1]) : -(v24 * v27);
+            /* theta2, r3 */
+            if (e2 < 0.0 && free2) continue; /* both signs give the same */
+            const double factor2 = e2 / divisor2;
+            const double c2 = free2 ? cos(seed[1]) : -(T34 * factor2);
+            const double s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
 
-            /* theta4: type 2 */
-            const double X4 = c2 * v28 + T[10] * s2;
-            const double w4 = sqrt(X4 * X4 + v29);
-            const int free4 = w4 <= free_tolerance;
-            const double v30 = free4 ? 1.0 : w4;
+            /* theta4 */
+            const double X4 = c2 * v2 + T33 * s2;
+            const double w4 = sqrt(X4 * X4 + v3);
+            const int free4 = w4 <= free_limit;
+            const double divisor4 = free4 ? 1.0 : w4;
 
-            /* theta5: type 3 */
-            const double c5 = s2 * v28 - T[10] * c2;
+            /* theta5, type 3: U4[3, 3] and U4[1, 3] */
+            const double c5 = s2 * v2 - T33 * c2;
 
-            /* theta6: type 3 */
-            const double v34 = c2 * v33 + T[9] * s2;
-            const double v37 = c2 * v36 + T[8] * s2;
+            /* theta6 */
+            const double v6 = c2 * v5 + T32 * s2;
+            const double v9 = c2 * v8 + T31 * s2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
-                /* theta4: type 2 */
-                if (e3 < 0.0 && free4) continue;
-                const double v31 = e3 / v30;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * v31);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * v31;
+                /* theta4 */
+                if (e3 < 0.0 && free4) continue; /* both signs give the same */
+                const double factor4 = e3 / divisor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
+                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
-                /* theta5: type 3 */
+                /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
-                /* theta6: type 3 */
-                const double q6 = atan2(-(c4 * v35 + s4 * v37), -(c4 * v32 + s4 * v34));
+                /* theta6 */
+                const double q6 = atan2(-(c4 * v7 + s4 * v9), -(c4 * v4 + s4 * v6));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1;
                 q[row][1] = q2;
@@ -234,7 +231,7 @@ static void solve(const double T[16], const double seed[6],
                 q[row][3] = q4;
                 q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = free1 || free2 || free4 ? RRPRRR_FREE_JOINT : RRPRRR_OK;
+                status[row] = (free1 || free2 || free4) ? RRPRRR_FREE_JOINT : RRPRRR_OK;
             }
         }
     }
@@ -243,7 +240,8 @@ static void solve(const double T[16], const double seed[6],
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return value;
     value += turn * floor((towards - value) / turn + 0.5);
@@ -259,8 +257,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int rrprrr_ik(const double T[16], const double *q_seed,
-    double q[8][6], unsigned char status[8])
+int rrprrr_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -295,17 +292,18 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     int result = -RRPRRR_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
-    if (rrprrr_ik(T, q_seed, all, status) == -RRPRRR_INVALID_POSE)
+    if (rrprrr_ik(T, q_seed, all, status) < 0)
         return -RRPRRR_INVALID_POSE;
     for (int row = 0; row < 8; row++) {
         double distance = 0.0;
-        if (status[row] == RRPRRR_OUT_OF_LIMITS && result == -RRPRRR_UNREACHABLE)
+        if (status[row] == RRPRRR_OUT_OF_LIMITS && result < 0)
             result = -RRPRRR_OUT_OF_LIMITS;
         if (status[row] != RRPRRR_OK && status[row] != RRPRRR_FREE_JOINT)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += weight[i] * (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
         }
         if (distance < least) {
             least = distance;

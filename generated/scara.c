@@ -1,4 +1,5 @@
 /* scara: SCARA
+ *
  * Inverse kinematics, generated from robots/scara.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/scara.yaml. The formulas and where they come from: scara.md.
  */
@@ -6,32 +7,39 @@
 
 #include <math.h>
 
-static const double L4 = 0.1; /* x of the tool frame */
-static const double free_square_tolerance = 1e-24; /* the same, squared */
-static const double L1 = 0.4; /* link length 1 */
-static const double L2 = 0.3; /* link length 2 */
-static const double k5 = 0.25; /* (L1 * L1) + (L2 * L2) */
-static const double longest3 = 0.48999999999999994; /* square of the longest reach */
-static const double shortest3 = 0.010000000000000007; /* square of the shortest reach */
-static const double longest3_reach = 0.490000000000112; /* the same, longest by rounding */
-static const double shortest3_reach = 0.009999999999984006; /* the same, shortest by rounding */
-static const double longest3_apart = 0.4899999999999887; /* the same, longest for merging */
-static const double shortest3_apart = 0.010000000000001605; /* the same, shortest for merging */
-static const double k7 = 4.166666666666667; /* 1 / (2 * (L2 * L1)) */
-static const double free_square_tolerance2 = 6.399999999999998e-25; /* the same, squared [length^2] */
-static const double k8 = 99999.99999999999; /* 1 / consistent_tolerance */
-static const double k9 = 125000.0; /* 1 / consistent_tolerance1 */
+static const double turn = 6.283185307179586;
+static const double L1 = 0.4; /* link length 1 [m] */
+static const double L2 = 0.3; /* link length 2 [m] */
+static const double L4 = 0.1; /* x of the tool frame [m] */
+static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+static const double longest2 = 0.48999999999999994; /* square of the longest reach [m^2] */
+static const double shortest2 = 0.010000000000000007; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest2_reach = 0.490000000000112;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest2_reach = 0.009999999999984006;
+/* the longest, where branches merge [m^2] */
+static const double longest2_apart = 0.4899999999999887;
+/* the shortest, where branches merge [m^2] */
+static const double shortest2_apart = 0.010000000000001605;
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 6.399999999999998e-25;
+static const double pose_slack = 1e-05; /* a pose may be rounded by this */
+static const double pose_slack1 = 8e-06; /* a pose may be rounded by this [m] */
+static const double k1 = 0.25; /* L1^2 + L2^2 [m^2] */
+static const double k2 = 4.166666666666667; /* 1 / (2 * L2 * L1) [m^-2] */
 
 const char *const scara_branches[2] = {
-    "down",
-    "up",
+    "down", "up",
 };
 
-static const double lowest[4] = { -2.2689280275926285, -2.530727415391778, -0.2, -6.283185307179586 };
+static const double lowest[4] = {
+    -2.2689280275926285, -2.530727415391778, -0.2, -6.283185307179586,
+};
 static const double highest[4] = { 2.2689280275926285, 2.530727415391778, 0.0, 6.283185307179586 };
-static const double turn = 6.283185307179586;
 static const int revolute[4] = { 1, 1, 0, 1 };
-static const double weight[4] = { 1.0, 1.0, 1.5625000000000002, 1.0 }; /* of squared differences: lengths by arm size */
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[4] = { 1.0, 1.0, 1.5625000000000002, 1.0 };
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
@@ -45,16 +53,16 @@ void scara_fk(const double q[4], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v11 = c1 * c2 - s1 * s2;
-    const double v12 = s1 * c2 + c1 * s2;
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double T11 = v11 * c4 - v12 * s4;
-    const double T21 = v12 * c4 + v11 * s4;
-    const double T14 = c1 * L1 + v11 * L2 + T11 * L4;
-    const double T24 = s1 * L1 + v12 * L2 + T21 * L4;
-    T[0] = T11; T[1] = -T21; T[2] = 0.0; T[3] = T14;
-    T[4] = T21; T[5] = T11; T[6] = 0.0; T[7] = T24;
+    const double T11_ = x2_x * c4 - x2_y * s4;
+    const double T21_ = x2_y * c4 + x2_x * s4;
+    const double T14_ = c1 * L1 + x2_x * L2 + T11_ * L4;
+    const double T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
+    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
+    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = q[2];
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
@@ -64,23 +72,23 @@ void scara_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]);
     const double s1 = sin(q[0]);
-    const double v12 = c1 * L1;
-    const double v13 = s1 * L1;
+    const double p1_x = c1 * L1;
+    const double p1_y = s1 * L1;
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v14 = c1 * c2 - s1 * s2;
-    const double v15 = s1 * c2 + c1 * s2;
-    const double v16 = v12 + v14 * L2;
-    const double v17 = v13 + v15 * L2;
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * L2;
+    const double p2_y = p1_y + x2_y * L2;
     const double c4 = cos(q[3]);
     const double s4 = sin(q[3]);
-    const double J21 = v16 + (v14 * c4 - v15 * s4) * L4;
-    const double v18 = v17 + (v15 * c4 + v14 * s4) * L4;
-    const double J22 = J21 - v12;
-    const double J12 = v13 - v18;
-    const double J24 = J21 - v16;
-    const double J14 = v17 - v18;
-    J[0] = -v18; J[1] = J12; J[2] = 0.0; J[3] = J14;
+    const double J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4;
+    const double v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4;
+    const double J22 = J21 - p1_x;
+    const double J12 = p1_y - v1;
+    const double J24 = J21 - p2_x;
+    const double J14 = p2_y - v1;
+    J[0] = -v1; J[1] = J12; J[2] = 0.0; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = 0.0; J[7] = J24;
     J[8] = 0.0; J[9] = 0.0; J[10] = 1.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = 0.0;
@@ -91,23 +99,22 @@ void scara_jacobian(const double q[4], double J[24])
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 static double misfit(const double T[16])
 {
-    const double *a = T, *b = T + 4, *c = T + 8;
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0;
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] - 1.0;
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double x = a[1] * b[2] - a[2] * b[1] - c[0];
-    const double y = a[2] * b[0] - a[0] * b[2] - c[1];
-    const double z = a[0] * b[1] - a[1] * b[0] - c[2];
-    return aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z;
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
     double R[9], G[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[3 * i + j] = T[4 * i + j];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             G[3 * i + j] = (i == j ? 1.5 : 0.0)
@@ -117,16 +124,13 @@ static void straighten(double T[16])
             T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
@@ -141,88 +145,90 @@ static int read_pose(const double given[16], double T[16])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[4],
-    double q[2][4], unsigned char status[2])
+static void solve(
+    const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
 {
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* r3: type 1 */
-    const double t34 = T[11] - L4 * T[8];
+    /* r3, type 1: U0[3, 4] */
+    const double t34 = T34 - L4 * T31;
 
-    /* theta124: type 3 */
-    const double w124 = sqrt(T[4] * T[4] + T[0] * T[0]);
-    const int free124 = w124 <= free_square_tolerance;
-    const double v25 = 1.0 / (free124 ? 1.0 : w124);
-    const double v26 = seed[0] + seed[1] + seed[3];
-    const double c124 = free124 ? cos(v26) : T[0] * v25;
-    const double s124 = free124 ? sin(v26) : T[4] * v25;
-    const double v27 = atan2(s124, c124);
+    /* theta124, type 3: U0[1, 2] and U0[2, 2] */
+    const double w124 = sqrt(T21 * T21 + T11 * T11);
+    const int free124 = w124 <= free_limit_squared;
+    const double v1 = 1.0 / (free124 ? 1.0 : w124);
+    const double v2 = seed[0] + seed[1] + seed[3];
+    const double c124 = free124 ? cos(v2) : T11 * v1;
+    const double s124 = free124 ? sin(v2) : T21 * v1;
+    const double theta124 = atan2(s124, c124);
 
-    /* theta2: type 8 */
-    const double t14 = T[3] - L4 * T[0];
-    const double t24 = T[7] - L4 * T[4];
+    /* theta2, type 8: U0[1, 4] and U0[2, 4] */
+    const double t14 = T14 - L4 * T11;
+    const double t24 = T24 - L4 * T21;
     const double N2 = t14 * t14 + t24 * t24;
-    const double K2 = N2 - k5;
-    const double D2 = (longest3 - N2) * (N2 - shortest3);
-    const int apart2 = shortest3_apart < N2 && N2 < longest3_apart;
-    if (!(shortest3_reach <= N2 && N2 <= longest3_reach)) return;
+    const double K2 = N2 - k1;
+    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
+    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
     const double w2 = sqrt(apart2 ? D2 : 0.0);
-    const double c2 = K2 * k7;
+    const double c2 = K2 * k2;
 
-    /* theta1: type 3 */
-    const double v28 = L1 + L2 * c2;
-    const double v30 = t24 * v28;
-    const double v32 = t14 * v28;
+    /* theta1, type 3: U0[2, 4] and U0[1, 4] */
+    const double X1_1 = L1 + L2 * c2;
+    const double v3 = t24 * X1_1;
+    const double v4 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
-    const double v35 = fmax(fmax(fabs(c124 - T[0]) * k8, k8 * fabs(-(T[1] + s124))), k8 *
-        fabs(-T[2]));
-    const double v36 = k8 * fabs(s124 - T[4]);
-    const double v37 = k8 * fabs(c124 - T[5]);
-    const double v38 = k8 * fabs(-T[6]);
-    const double v39 = k8 * fabs(-T[8]);
-    const double v40 = k8 * fabs(-T[9]);
-    const double v41 = k8 * fabs(1.0 - T[10]);
-    const double v42 = k9 * fabs(0.0);
+    if (!(fabs(T33 - 1.0) <= pose_slack && (fabs(T32) <= pose_slack && (fabs(T31) <= pose_slack &&
+        (fabs(T23) <= pose_slack && (fabs(T22 - c124) <= pose_slack && (fabs(T21 - s124) <=
+        pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 - c124) <= pose_slack && fabs(T12 +
+        s124) <= pose_slack)))))))))
+        return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta2: type 8 */
-        if (e1 < 0.0 && !apart2) continue;
-        const double s2 = w2 * e1 * k7;
+        /* theta2 */
+        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e1 * k2;
         const double q2 = atan2(s2, c2);
 
-        /* theta1: type 3 */
-        const double v29 = L2 * s2;
-        const double v31 = v30 - t14 * v29;
-        const double v33 = v32 + t24 * v29;
-        const double w1 = sqrt(v31 * v31 + v33 * v33);
-        const int free1 = w1 <= free_square_tolerance2;
-        const double v34 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : v33 * v34;
-        const double s1 = free1 ? sin(seed[0]) : v31 * v34;
+        /* theta1 */
+        const double Y1_1 = L2 * s2;
+        const double S1 = v3 - t14 * Y1_1;
+        const double C1 = v4 + t24 * Y1_1;
+        const double w1 = sqrt(S1 * S1 + C1 * C1);
+        const int free1 = w1 <= free_limit_squared2;
+        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* is the pose one that the arm can take? */
         const double c12 = c2 * c1 - s2 * s1;
         const double s12 = c2 * s1 + s2 * c1;
-        if (!(fmax(fmax(fmax(fmax(fmax(fmax(fmax(fmax(fmax(v35, fabs(L2 * c12 + L1 * c1 - t14) * k9), v36), v37), v38), k9 * fabs(L2 * s12 + L1 * s1 - t24)), v39), v40), v41), v42) <= 1.0)) continue;
+        if (!(fabs(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 && fabs(t24 - (L2 * s12 + L1 * s1)) <=
+            pose_slack1))
+            continue; /* the arm can't take this pose */
 
         /* joint values */
-        const double q4 = wrap(v27 - (q2 + q1));
+        const double q4 = wrap(theta124 - (q2 + q1));
         const int free1_ = free124 || free1;
         const int row = i1;
         q[row][0] = q1;
         q[row][1] = q2;
         q[row][2] = t34;
         q[row][3] = q4;
-        status[row] = free1_ || free124 || free124 ? SCARA_FREE_JOINT : SCARA_OK;
+        status[row] = (free1_ || free124 || free124) ? SCARA_FREE_JOINT : SCARA_OK;
     }
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return value;
     value += turn * floor((towards - value) / turn + 0.5);
@@ -238,8 +244,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int scara_ik(const double T[16], const double *q_seed,
-    double q[2][4], unsigned char status[2])
+int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -274,17 +279,18 @@ int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
     int result = -SCARA_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
-    if (scara_ik(T, q_seed, all, status) == -SCARA_INVALID_POSE)
+    if (scara_ik(T, q_seed, all, status) < 0)
         return -SCARA_INVALID_POSE;
     for (int row = 0; row < 2; row++) {
         double distance = 0.0;
-        if (status[row] == SCARA_OUT_OF_LIMITS && result == -SCARA_UNREACHABLE)
+        if (status[row] == SCARA_OUT_OF_LIMITS && result < 0)
             result = -SCARA_OUT_OF_LIMITS;
         if (status[row] != SCARA_OK && status[row] != SCARA_FREE_JOINT)
             continue;
         for (int i = 0; i < 4; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += weight[i] * (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -1,9 +1,10 @@
 /* scara: SCARA
+ *
  * Inverse kinematics, generated from robots/scara.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/scara.yaml. The formulas and where they come from: scara.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the whole pose is meant; other entries are ignored.
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
  */
 #ifndef SCARA_H
 #define SCARA_H
@@ -15,38 +16,46 @@ extern "C" {
 #endif
 
 enum {
-    SCARA_DOF = 4,
-    SCARA_ROWS = 2
+    SCARA_DOF = 4, /* joints */
+    SCARA_ROWS = 2 /* branches */
 };
 
 /* What a row of scara_ik holds. */
 enum {
-    SCARA_OK = 0,            /* joint values */
-    SCARA_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    SCARA_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    SCARA_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    SCARA_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    SCARA_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCARA_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCARA_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCARA_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SCARA_INVALID_POSE = 4
 };
 
-/* The name of every row: down, up. */
+/* The name of every row. */
 extern const char *const scara_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void scara_fk(const double q[4], double T[16]);
 
-/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void scara_jacobian(const double q[4], double J[24]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -SCARA_INVALID_POSE. */
-int scara_ik(const double T[16], const double *q_seed,
-    double q[2][4], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCARA_INVALID_POSE. */
+int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns SCARA_OK or
- * SCARA_FREE_JOINT, or minus SCARA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCARA_OK or SCARA_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
-/* scara_ik for n poses: T is n x 16, q n x 2 x 4, status n x 2. */
+/* scara_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
 void scara_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/scara.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/scara.yaml. The formulas and where they come from: scara.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -42,27 +42,28 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-L4 = 0.1  # x of the tool frame
-free_square_tolerance = 1e-24  # the same, squared
-L1 = 0.4  # link length 1
-L2 = 0.3  # link length 2
-k5 = 0.25  # (L1 * L1) + (L2 * L2)
-longest3 = 0.48999999999999994  # square of the longest reach
-shortest3 = 0.010000000000000007  # square of the shortest reach
-longest3_reach = 0.490000000000112  # the same, longest by rounding
-shortest3_reach = 0.009999999999984006  # the same, shortest by rounding
-longest3_apart = 0.4899999999999887  # the same, longest for merging
-shortest3_apart = 0.010000000000001605  # the same, shortest for merging
-k7 = 4.166666666666667  # 1 / (2 * (L2 * L1))
-free_square_tolerance2 = 6.399999999999998e-25  # the same, squared [length^2]
-k8 = 99999.99999999999  # 1 / consistent_tolerance
-k9 = 125000.0  # 1 / consistent_tolerance1
+L1 = 0.4  # link length 1 [m]
+L2 = 0.3  # link length 2 [m]
+L4 = 0.1  # x of the tool frame [m]
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+longest2 = 0.48999999999999994  # square of the longest reach [m^2]
+shortest2 = 0.010000000000000007  # square of the shortest reach [m^2]
+longest2_reach = 0.490000000000112  # the longest, with what rounding adds [m^2]
+shortest2_reach = 0.009999999999984006  # the shortest, with what rounding adds [m^2]
+longest2_apart = 0.4899999999999887  # the longest, where branches merge [m^2]
+shortest2_apart = 0.010000000000001605  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 6.399999999999998e-25  # square of a length that fixes no angle [m^2]
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 8e-06  # a pose may be rounded by this [m]
+k1 = 0.25  # L1^2 + L2^2 [m^2]
+k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.5625000000000002, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.5625000000000002, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -70,9 +71,8 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-
 @njit(cache=True, error_model="numpy")
-def wrap(angle):
+def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * math.ceil(angle / _TURN - 0.5)
 
@@ -85,20 +85,20 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v11 = c1 * c2 - s1 * s2
-    v12 = s1 * c2 + c1 * s2
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    T11 = v11 * c4 - v12 * s4
-    T21 = v12 * c4 + v11 * s4
-    T14 = c1 * L1 + v11 * L2 + T11 * L4
-    T24 = s1 * L1 + v12 * L2 + T21 * L4
-    T[0, 0] = T11
-    T[0, 1] = -T21
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T11
-    T[1, 3] = T24
+    T11_ = x2_x * c4 - x2_y * s4
+    T21_ = x2_y * c4 + x2_x * s4
+    T14_ = c1 * L1 + x2_x * L2 + T11_ * L4
+    T24_ = s1 * L1 + x2_y * L2 + T21_ * L4
+    T[0, 0] = T11_
+    T[0, 1] = -T21_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T11_
+    T[1, 3] = T24_
     T[2, 2] = 1.0
     T[2, 3] = q[2]
     T[3, 3] = 1.0
@@ -111,23 +111,23 @@ def jacobian(q):
     J = np.zeros((6, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    v12 = c1 * L1
-    v13 = s1 * L1
+    p1_x = c1 * L1
+    p1_y = s1 * L1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v14 = c1 * c2 - s1 * s2
-    v15 = s1 * c2 + c1 * s2
-    v16 = v12 + v14 * L2
-    v17 = v13 + v15 * L2
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    p2_x = p1_x + x2_x * L2
+    p2_y = p1_y + x2_y * L2
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J21 = v16 + (v14 * c4 - v15 * s4) * L4
-    v18 = v17 + (v15 * c4 + v14 * s4) * L4
-    J22 = J21 - v12
-    J12 = v13 - v18
-    J24 = J21 - v16
-    J14 = v17 - v18
-    J[0, 0] = -v18
+    J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4
+    v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4
+    J22 = J21 - p1_x
+    J12 = p1_y - v1
+    J24 = J21 - p2_x
+    J14 = p2_y - v1
+    J[0, 0] = -v1
     J[0, 1] = J12
     J[0, 3] = J14
     J[1, 0] = J21
@@ -141,76 +141,78 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # r3: type 1
-    t34 = T[2, 3] - L4 * T[2, 0]
+    # r3, type 1: U0[3, 4]
+    t34 = T34 - L4 * T31
 
-    # theta124: type 3
-    w124 = math.sqrt(T[1, 0] * T[1, 0] + T[0, 0] * T[0, 0])
-    free124 = w124 <= free_square_tolerance
-    v25 = 1.0 / (1.0 if free124 else w124)
-    v26 = seed[0] + seed[1] + seed[3]
-    c124 = math.cos(v26) if free124 else T[0, 0] * v25
-    s124 = math.sin(v26) if free124 else T[1, 0] * v25
-    v27 = math.atan2(s124, c124)
+    # theta124, type 3: U0[1, 2] and U0[2, 2]
+    w124 = math.sqrt(T21 * T21 + T11 * T11)
+    free124 = w124 <= free_limit_squared
+    v1 = 1.0 / (1.0 if free124 else w124)
+    v2 = seed[0] + seed[1] + seed[3]
+    c124 = math.cos(v2) if free124 else T11 * v1
+    s124 = math.sin(v2) if free124 else T21 * v1
+    theta124 = math.atan2(s124, c124)
 
-    # theta2: type 8
-    t14 = T[0, 3] - L4 * T[0, 0]
-    t24 = T[1, 3] - L4 * T[1, 0]
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    t14 = T14 - L4 * T11
+    t24 = T24 - L4 * T21
     N2 = t14 * t14 + t24 * t24
-    K2 = N2 - k5
-    D2 = (longest3 - N2) * (N2 - shortest3)
-    apart2 = shortest3_apart < N2 and N2 < longest3_apart
-    if not (shortest3_reach <= N2 and N2 <= longest3_reach):
-        return
+    K2 = N2 - k1
+    D2 = (longest2 - N2) * (N2 - shortest2)
+    apart2 = shortest2_apart < N2 and N2 < longest2_apart
+    if not (shortest2_reach <= N2 and N2 <= longest2_reach):
+        return  # out of reach
     w2 = math.sqrt(D2 if apart2 else 0.0)
-    c2 = K2 * k7
+    c2 = K2 * k2
 
-    # theta1: type 3
-    v28 = L1 + L2 * c2
-    v30 = t24 * v28
-    v32 = t14 * v28
+    # theta1, type 3: U0[2, 4] and U0[1, 4]
+    X1_1 = L1 + L2 * c2
+    v3 = t24 * X1_1
+    v4 = t14 * X1_1
 
     # is the pose one that the arm can take?
-    v35 = max(max(abs(c124 - T[0, 0]) * k8, k8 * abs(-(T[0, 1] + s124))), k8 * abs(-T[0, 2]))
-    v36 = k8 * abs(s124 - T[1, 0])
-    v37 = k8 * abs(c124 - T[1, 1])
-    v38 = k8 * abs(-T[1, 2])
-    v39 = k8 * abs(-T[2, 0])
-    v40 = k8 * abs(-T[2, 1])
-    v41 = k8 * abs(1.0 - T[2, 2])
-    v42 = k9 * abs(0.0)
+    if (
+        not (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
+        and (abs(T23) <= pose_slack and (abs(T22 - c124) <= pose_slack and (abs(T21 - s124) <=
+        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c124) <= pose_slack and abs(T12 +
+        s124) <= pose_slack))))))))
+    ):
+        return  # the arm can't take this pose
 
     for i1 in range(2):  # down, up
         e1 = 1.0 - 2.0 * i1
-        # theta2: type 8
+        # theta2
         if e1 < 0.0 and not apart2:
-            continue
-        s2 = w2 * e1 * k7
+            continue  # both signs give the same
+        s2 = w2 * e1 * k2
         q2 = math.atan2(s2, c2)
 
-        # theta1: type 3
-        v29 = L2 * s2
-        v31 = v30 - t14 * v29
-        v33 = v32 + t24 * v29
-        w1 = math.sqrt(v31 * v31 + v33 * v33)
-        free1 = w1 <= free_square_tolerance2
-        v34 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else v33 * v34
-        s1 = math.sin(seed[0]) if free1 else v31 * v34
+        # theta1
+        Y1_1 = L2 * s2
+        S1 = v3 - t14 * Y1_1
+        C1 = v4 + t24 * Y1_1
+        w1 = math.sqrt(S1 * S1 + C1 * C1)
+        free1 = w1 <= free_limit_squared2
+        factor1 = 1.0 / (1.0 if free1 else w1)
+        c1 = math.cos(seed[0]) if free1 else C1 * factor1
+        s1 = math.sin(seed[0]) if free1 else S1 * factor1
         q1 = math.atan2(s1, c1)
 
         # is the pose one that the arm can take?
         c12 = c2 * c1 - s2 * s1
         s12 = c2 * s1 + s2 * c1
-        if not (max(max(max(max(max(max(max(max(max(v35, abs(L2 * c12 + L1 * c1 - t14) * k9), v36), v37), v38), k9 * abs(L2 * s12 + L1 * s1 - t24)), v39), v40), v41), v42) <= 1.0):
-            continue
+        if (
+            not (abs(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 and abs(t24 - (L2 * s12 + L1 * s1))
+            <= pose_slack1)
+        ):
+            continue  # the arm can't take this pose
 
         # joint values
-        q4 = wrap(v27 - (q2 + q1))
+        q4 = _wrap(theta124 - (q2 + q1))
         free1_ = free124 or free1
         row = i1
         q[row, 0] = q1
@@ -221,42 +223,68 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
@@ -275,15 +303,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 4) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(4):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -291,7 +319,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(4):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -305,13 +334,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 4), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (4,).
+        q_seed: Values for joints that are indeterminate (4,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -320,7 +351,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 4) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 4) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -329,12 +362,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 4))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (4,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (4,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -347,10 +382,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -360,35 +395,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 4) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 4) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 4))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -401,6 +438,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:

@@ -1,34 +1,41 @@
 /* scara_rrp: SCARA arm without a wrist
+ *
  * Inverse kinematics, generated from robots/scara_rrp.yaml and templates/c/solver.c.jinja.
- * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from: scara_rrp.md.
+ * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from:
+ * scara_rrp.md.
  */
 #include "scara_rrp.h"
 
 #include <math.h>
 
-static const double d1 = 0.5; /* joint offset 1 */
-static const double a1 = 0.4; /* link length 1 */
-static const double a2 = 0.3; /* link length 2 */
-static const double k5 = 0.25; /* (a1 * a1) + (a2 * a2) */
-static const double longest2 = 0.48999999999999994; /* square of the longest reach */
-static const double shortest2 = 0.010000000000000007; /* square of the shortest reach */
-static const double longest2_reach = 0.49000000000016797; /* the same, longest by rounding */
-static const double shortest2_reach = 0.009999999999976007; /* the same, shortest by rounding */
-static const double longest2_apart = 0.48999999999998317; /* the same, longest for merging */
-static const double shortest2_apart = 0.010000000000002408; /* the same, shortest for merging */
-static const double k7 = 4.166666666666667; /* 1 / (2 * (a2 * a1)) */
-static const double free_square_tolerance2 = 1.4399999999999998e-24; /* the same, squared [length^2] */
+static const double turn = 6.283185307179586;
+static const double d1 = 0.5; /* joint offset 1 [m] */
+static const double a1 = 0.4; /* link length 1 [m] */
+static const double a2 = 0.3; /* link length 2 [m] */
+static const double longest2 = 0.48999999999999994; /* square of the longest reach [m^2] */
+static const double shortest2 = 0.010000000000000007; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest2_reach = 0.49000000000016797;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest2_reach = 0.009999999999976007;
+/* the longest, where branches merge [m^2] */
+static const double longest2_apart = 0.48999999999998317;
+/* the shortest, where branches merge [m^2] */
+static const double shortest2_apart = 0.010000000000002408;
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 1.4399999999999998e-24;
+static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
+static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 
 const char *const scara_rrp_branches[2] = {
-    "down",
-    "up",
+    "down", "up",
 };
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
-static const double turn = 6.283185307179586;
 static const int revolute[3] = { 1, 1, 0 };
-static const double weight[3] = { 1.0, 1.0, 0.6944444444444444 }; /* of squared differences: lengths by arm size */
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[3] = { 1.0, 1.0, 0.6944444444444444 };
 
 void scara_rrp_fk(const double q[3], double T[16])
 {
@@ -36,14 +43,14 @@ void scara_rrp_fk(const double q[3], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double T11 = c1 * c2 - s1 * s2;
-    const double T21 = s1 * c2 + c1 * s2;
-    const double T14 = c1 * a1 + T11 * a2;
-    const double T24 = s1 * a1 + T21 * a2;
-    const double T34 = d1 + q[2];
-    T[0] = T11; T[1] = -T21; T[2] = 0.0; T[3] = T14;
-    T[4] = T21; T[5] = T11; T[6] = 0.0; T[7] = T24;
-    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = T34;
+    const double T11_ = c1 * c2 - s1 * s2;
+    const double T21_ = s1 * c2 + c1 * s2;
+    const double T14_ = c1 * a1 + T11_ * a2;
+    const double T24_ = s1 * a1 + T21_ * a2;
+    const double T34_ = d1 + q[2];
+    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
+    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
+    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = T34_;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -52,15 +59,15 @@ void scara_rrp_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]);
     const double s1 = sin(q[0]);
-    const double v8 = c1 * a1;
-    const double v9 = s1 * a1;
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double J21 = v8 + (c1 * c2 - s1 * s2) * a2;
-    const double v10 = v9 + (s1 * c2 + c1 * s2) * a2;
-    const double J22 = J21 - v8;
-    const double J12 = v9 - v10;
-    J[0] = -v10; J[1] = J12; J[2] = 0.0;
+    const double J21 = p1_x + (c1 * c2 - s1 * s2) * a2;
+    const double p2_y = p1_y + (s1 * c2 + c1 * s2) * a2;
+    const double J22 = J21 - p1_x;
+    const double J12 = p1_y - p2_y;
+    J[0] = -p2_y; J[1] = J12; J[2] = 0.0;
     J[3] = J21; J[4] = J22; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0; J[8] = 1.0;
     J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
@@ -68,71 +75,72 @@ void scara_rrp_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 1.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!isfinite(T[3]))
-        return 0;
-    if (!isfinite(T[7]))
-        return 0;
-    if (!isfinite(T[11]))
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
         return 0;
     return 1;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[3],
-    double q[2][3], unsigned char status[2])
+static void solve(
+    const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
 {
+    const double T14 = T[3];
+    const double T24 = T[7];
+    const double T34 = T[11];
 
-    /* r3: type 1 */
-    const double r3 = T[11] - d1;
+    /* r3, type 1: U0[3, 4] */
+    const double r3 = T34 - d1;
 
-    /* theta2: type 8 */
-    const double N2 = T[3] * T[3] + T[7] * T[7];
-    const double K2 = N2 - k5;
+    /* theta2, type 8: U0[1, 4] and U0[2, 4] */
+    const double N2 = T14 * T14 + T24 * T24;
+    const double K2 = N2 - k1;
     const double D2 = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
-    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return;
+    if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
     const double w2 = sqrt(apart2 ? D2 : 0.0);
-    const double c2 = K2 * k7;
+    const double c2 = K2 * k2;
 
-    /* theta1: type 3 */
-    const double v15 = a1 + a2 * c2;
-    const double v17 = T[7] * v15;
-    const double v19 = T[3] * v15;
+    /* theta1, type 3: U0[2, 4] and U0[1, 4] */
+    const double X1_1 = a1 + a2 * c2;
+    const double v1 = T24 * X1_1;
+    const double v2 = T14 * X1_1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta2: type 8 */
-        if (e1 < 0.0 && !apart2) continue;
-        const double s2 = w2 * e1 * k7;
+        /* theta2 */
+        if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
+        const double s2 = w2 * e1 * k2;
         const double q2 = atan2(s2, c2);
 
-        /* theta1: type 3 */
-        const double v16 = a2 * s2;
-        const double v18 = v17 - T[3] * v16;
-        const double v20 = v19 + T[7] * v16;
-        const double w1 = sqrt(v18 * v18 + v20 * v20);
-        const int free1 = w1 <= free_square_tolerance2;
-        const double v21 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : v20 * v21;
-        const double s1 = free1 ? sin(seed[0]) : v18 * v21;
+        /* theta1 */
+        const double Y1_1 = a2 * s2;
+        const double S1 = v1 - T14 * Y1_1;
+        const double C1 = v2 + T24 * Y1_1;
+        const double w1 = sqrt(S1 * S1 + C1 * C1);
+        const int free1 = w1 <= free_limit_squared2;
+        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
         const int row = i1;
         q[row][0] = q1;
         q[row][1] = q2;
         q[row][2] = r3;
-        status[row] = free1 ? SCARA_RRP_FREE_JOINT : SCARA_RRP_OK;
+        status[row] = (free1) ? SCARA_RRP_FREE_JOINT : SCARA_RRP_OK;
     }
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return value;
     value += turn * floor((towards - value) / turn + 0.5);
@@ -148,8 +156,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int scara_rrp_ik(const double T[16], const double *q_seed,
-    double q[2][3], unsigned char status[2])
+int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -184,17 +191,18 @@ int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]
     int result = -SCARA_RRP_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
-    if (scara_rrp_ik(T, q_seed, all, status) == -SCARA_RRP_INVALID_POSE)
+    if (scara_rrp_ik(T, q_seed, all, status) < 0)
         return -SCARA_RRP_INVALID_POSE;
     for (int row = 0; row < 2; row++) {
         double distance = 0.0;
-        if (status[row] == SCARA_RRP_OUT_OF_LIMITS && result == -SCARA_RRP_UNREACHABLE)
+        if (status[row] == SCARA_RRP_OUT_OF_LIMITS && result < 0)
             result = -SCARA_RRP_OUT_OF_LIMITS;
         if (status[row] != SCARA_RRP_OK && status[row] != SCARA_RRP_FREE_JOINT)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += weight[i] * (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
         }
         if (distance < least) {
             least = distance;

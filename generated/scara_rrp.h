@@ -1,9 +1,11 @@
 /* scara_rrp: SCARA arm without a wrist
- * Inverse kinematics, generated from robots/scara_rrp.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from: scara_rrp.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the position T[0:3, 3] is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/scara_rrp.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from:
+ * scara_rrp.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
  */
 #ifndef SCARA_RRP_H
 #define SCARA_RRP_H
@@ -15,38 +17,46 @@ extern "C" {
 #endif
 
 enum {
-    SCARA_RRP_DOF = 3,
-    SCARA_RRP_ROWS = 2
+    SCARA_RRP_DOF = 3, /* joints */
+    SCARA_RRP_ROWS = 2 /* branches */
 };
 
 /* What a row of scara_rrp_ik holds. */
 enum {
-    SCARA_RRP_OK = 0,            /* joint values */
-    SCARA_RRP_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    SCARA_RRP_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    SCARA_RRP_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    SCARA_RRP_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    SCARA_RRP_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCARA_RRP_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCARA_RRP_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCARA_RRP_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SCARA_RRP_INVALID_POSE = 4
 };
 
-/* The name of every row: down, up. */
+/* The name of every row. */
 extern const char *const scara_rrp_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void scara_rrp_fk(const double q[3], double T[16]);
 
-/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void scara_rrp_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -SCARA_RRP_INVALID_POSE. */
-int scara_rrp_ik(const double T[16], const double *q_seed,
-    double q[2][3], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCARA_RRP_INVALID_POSE. */
+int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns SCARA_RRP_OK or
- * SCARA_RRP_FREE_JOINT, or minus SCARA_RRP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCARA_RRP_OK or SCARA_RRP_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_RRP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
-/* scara_rrp_ik for n poses: T is n x 16, q n x 2 x 3, status n x 2. */
+/* scara_rrp_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 3, status n x 2. */
 void scara_rrp_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

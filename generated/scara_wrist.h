@@ -1,9 +1,11 @@
 /* scara_wrist: SCARA arm with a spherical wrist
- * Inverse kinematics, generated from robots/scara_wrist.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/scara_wrist.yaml. The formulas and where they come from: scara_wrist.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the whole pose is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/scara_wrist.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scara_wrist.yaml. The formulas and where they come from:
+ * scara_wrist.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
  */
 #ifndef SCARA_WRIST_H
 #define SCARA_WRIST_H
@@ -15,38 +17,47 @@ extern "C" {
 #endif
 
 enum {
-    SCARA_WRIST_DOF = 6,
-    SCARA_WRIST_ROWS = 4
+    SCARA_WRIST_DOF = 6, /* joints */
+    SCARA_WRIST_ROWS = 4 /* branches */
 };
 
 /* What a row of scara_wrist_ik holds. */
 enum {
-    SCARA_WRIST_OK = 0,            /* joint values */
-    SCARA_WRIST_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    SCARA_WRIST_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    SCARA_WRIST_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    SCARA_WRIST_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    SCARA_WRIST_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCARA_WRIST_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCARA_WRIST_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCARA_WRIST_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SCARA_WRIST_INVALID_POSE = 4
 };
 
-/* The name of every row: down-left, down-right, up-left, up-right. */
+/* The name of every row. */
 extern const char *const scara_wrist_branches[4];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void scara_wrist_fk(const double q[6], double T[16]);
 
-/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void scara_wrist_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -SCARA_WRIST_INVALID_POSE. */
-int scara_wrist_ik(const double T[16], const double *q_seed,
-    double q[4][6], unsigned char status[4]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCARA_WRIST_INVALID_POSE. */
+int scara_wrist_ik(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns SCARA_WRIST_OK or
- * SCARA_WRIST_FREE_JOINT, or minus SCARA_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCARA_WRIST_OK or SCARA_WRIST_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
-/* scara_wrist_ik for n poses: T is n x 16, q n x 4 x 6, status n x 4. */
+/* scara_wrist_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 6, status n x 4. */
 void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -1,9 +1,11 @@
 /* spherical: Spherical arm
- * Inverse kinematics, generated from robots/spherical.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/spherical.yaml. The formulas and where they come from: spherical.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the position T[0:3, 3] is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/spherical.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/spherical.yaml. The formulas and where they come from:
+ * spherical.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
  */
 #ifndef SPHERICAL_H
 #define SPHERICAL_H
@@ -15,38 +17,46 @@ extern "C" {
 #endif
 
 enum {
-    SPHERICAL_DOF = 3,
-    SPHERICAL_ROWS = 4
+    SPHERICAL_DOF = 3, /* joints */
+    SPHERICAL_ROWS = 4 /* branches */
 };
 
 /* What a row of spherical_ik holds. */
 enum {
-    SPHERICAL_OK = 0,            /* joint values */
-    SPHERICAL_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    SPHERICAL_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    SPHERICAL_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    SPHERICAL_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    SPHERICAL_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SPHERICAL_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SPHERICAL_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SPHERICAL_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SPHERICAL_INVALID_POSE = 4
 };
 
-/* The name of every row: left-forward, left-backward, right-forward, right-backward. */
+/* The name of every row. */
 extern const char *const spherical_branches[4];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void spherical_fk(const double q[3], double T[16]);
 
-/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void spherical_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -SPHERICAL_INVALID_POSE. */
-int spherical_ik(const double T[16], const double *q_seed,
-    double q[4][3], unsigned char status[4]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SPHERICAL_INVALID_POSE. */
+int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns SPHERICAL_OK or
- * SPHERICAL_FREE_JOINT, or minus SPHERICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SPHERICAL_OK or SPHERICAL_FREE_JOINT, or, with NaN in q,
+ * minus SPHERICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
-/* spherical_ik for n poses: T is n x 16, q n x 4 x 3, status n x 4. */
+/* spherical_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
 void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -1,10 +1,12 @@
 """spherical_offset: Spherical arm with a shoulder offset.
 
-Inverse kinematics, generated from robots/spherical_offset.yaml and templates/python/solver.py.jinja.
-Do not edit: run dhgen robots/spherical_offset.yaml. The formulas and where they come from: spherical_offset.md.
+Inverse kinematics, generated from robots/spherical_offset.yaml and
+templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/spherical_offset.yaml. The formulas and where they come from:
+spherical_offset.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the position T[0:3, 3] is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
 """
 
 import math
@@ -43,18 +45,19 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-d2 = 0.15  # joint offset 2
-k1 = 0.0225  # d2 * d2
-free_square_tolerance2 = 2.2499999999999997e-26  # the same, squared [length^2]
-reach_tolerance1 = 1.5e-14  # rounding at the boundary of the workspace [length]
-merge_tolerance1 = 1.5e-15  # two branches nearer than this are one [length]
-free_tolerance1 = 1.5e-13  # a vector this short fixes no angle [length]
+d2 = 0.15  # joint offset 2 [m]
+free_limit_squared2 = 2.2499999999999997e-26  # square of a length that fixes no angle [m^2]
+free_limit1 = 1.5e-13  # a length that fixes no angle [m]
+k1 = 0.0225  # d2^2 [m^2]
+k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
+k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 44.44444444444444])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 44.44444444444444])
 _ZEROS = np.zeros(DOF)
 
 
@@ -70,24 +73,24 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    T11 = c1 * c2
-    T21 = s1 * c2
-    T13 = c1 * s2
-    T23 = s1 * s2
-    T14 = T13 * q[2] - s1 * d2
-    T24 = c1 * d2 + T23 * q[2]
-    T34 = c2 * q[2]
-    T[0, 0] = T11
+    T11_ = c1 * c2
+    T21_ = s1 * c2
+    T13_ = c1 * s2
+    T23_ = s1 * s2
+    T14_ = T13_ * q[2] - s1 * d2
+    T24_ = c1 * d2 + T23_ * q[2]
+    T34_ = c2 * q[2]
+    T[0, 0] = T11_
     T[0, 1] = -s1
-    T[0, 2] = T13
-    T[0, 3] = T14
-    T[1, 0] = T21
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
     T[1, 1] = c1
-    T[1, 2] = T23
-    T[1, 3] = T24
+    T[1, 2] = T23_
+    T[1, 3] = T24_
     T[2, 0] = -s2
     T[2, 2] = c2
-    T[2, 3] = T34
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -103,17 +106,17 @@ def jacobian(q):
     J13 = c1 * s2
     J23 = s1 * s2
     J21 = J13 * q[2] - s1 * d2
-    v10 = c1 * d2 + J23 * q[2]
-    v11 = c2 * q[2]
-    J12 = c1 * v11
-    J22 = s1 * v11
-    J[0, 0] = -v10
+    p3_y = c1 * d2 + J23 * q[2]
+    p3_z = c2 * q[2]
+    J12 = c1 * p3_z
+    J22 = s1 * p3_z
+    J[0, 0] = -p3_y
     J[0, 1] = J12
     J[0, 2] = J13
     J[1, 0] = J21
     J[1, 1] = J22
     J[1, 2] = J23
-    J[2, 1] = -(s1 * v10 + c1 * J21)
+    J[2, 1] = -(s1 * p3_y + c1 * J21)
     J[2, 2] = c2
     J[3, 1] = -s1
     J[4, 1] = c1
@@ -122,49 +125,48 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
-    # theta1: type 2
-    N1 = T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3]
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
     D1 = N1 - k1
-    free1 = N1 <= free_square_tolerance2
-    v15 = 2.0 * abs(-d2)
-    apart1 = merge_tolerance1 * (v15 + merge_tolerance1) < D1
-    if not (-(reach_tolerance1 * (v15 + reach_tolerance1)) <= D1):
-        return
+    free1 = N1 <= free_limit_squared2
+    apart1 = k3 < D1
+    if not (-k2 <= D1):
+        return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v17 = 1.0 / (1.0 if free1 else N1)
-    v18 = T[0, 3] * d2
-    v19 = T[1, 3] * d2
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = T14 * d2
+    v2 = T24 * d2
 
-    # theta2, r3: type 4
-    v20 = T[2, 3] * T[2, 3]
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    v3 = T34 * T34
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and (free1 or not apart1):
-            continue
-        v16 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else v17 * (v19 - T[0, 3] * v16)
-        s1 = math.sin(seed[0]) if free1 else -(v17 * (v18 + T[1, 3] * v16))
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T14 * root1)
+        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T24 * root1))
         q1 = math.atan2(s1, c1)
 
-        # theta2, r3: type 4
-        w3 = math.sqrt(v16 * v16 + v20)
-        free2 = w3 <= free_tolerance1
-        v21 = 1.0 if free2 else w3
+        # theta2, r3
+        w3 = math.sqrt(root1 * root1 + v3)
+        free2 = w3 <= free_limit1
+        divisor2 = 1.0 if free2 else w3
 
         for i2 in range(2):  # forward, backward
             e2 = 1.0 - 2.0 * i2
-            # theta2, r3: type 4
+            # theta2, r3
             if e2 < 0.0 and free2:
-                continue
-            v22 = e2 / v21
-            c2 = math.cos(seed[1]) if free2 else T[2, 3] * v22
-            s2 = math.sin(seed[1]) if free2 else -(v16 * v22)
+                continue  # both signs give the same
+            factor2 = e2 / divisor2
+            c2 = math.cos(seed[1]) if free2 else T34 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
             q2 = math.atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
@@ -175,15 +177,20 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    return 1
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
@@ -202,15 +209,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (4, 3) and status (4,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(4):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -218,7 +225,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(3):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -232,13 +240,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (4, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (4,); uint8.
-        q_seed: Values for joints that are indeterminate (3,).
+        q_seed: Values for joints that are indeterminate (3,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -247,7 +257,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (4, 3) and status (4,); row b is always branch BRANCHES[b].
+    """All solutions: q (4, 3) and status (4,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -256,12 +268,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((4, 3))
     status = np.empty(4, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -274,10 +288,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(4) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(4) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -287,35 +301,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 4, 3) and status (N, 4)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 4, 3) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 4, 3))
     status = np.empty((len(T), 4), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -328,6 +344,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/stanford.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/stanford.yaml. The formulas and where they come from: stanford.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the whole pose is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
 """
 
 import math
@@ -50,22 +50,23 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-k1 = 0.13369999999999999  # d2 - a3
-k2 = 0.01787569  # (d2 - a3) * (d2 - a3)
-free_square_tolerance2 = 3.4374768999999993e-25  # the same, squared [length^2]
-reach_tolerance1 = 5.863e-14  # rounding at the boundary of the workspace [length]
-merge_tolerance1 = 5.862999999999999e-15  # two branches nearer than this are one [length]
-d1 = 0.412  # joint offset 1
-free_tolerance1 = 5.862999999999999e-13  # a vector this short fixes no angle [length]
-free_tolerance = 1e-12  # a vector this short fixes no angle
-d2 = 0.154  # joint offset 2
-a3 = 0.0203  # link length 3
+d1 = 0.412  # joint offset 1 [m]
+d2 = 0.154  # joint offset 2 [m]
+a3 = 0.0203  # link length 3 [m]
+free_limit_squared2 = 3.4374768999999993e-25  # square of a length that fixes no angle [m^2]
+free_limit1 = 5.862999999999999e-13  # a length that fixes no angle [m]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.13369999999999999  # d2 - a3 [m]
+k2 = 0.01787569  # (d2 - a3)^2 [m^2]
+k3 = 1.5677662000003437e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
+k4 = 1.5677662000000342e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 2.9091104583131893, 1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 2.9091104583131893, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -81,48 +82,48 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v22 = c1 * c2
-    v23 = s1 * c2
-    v24 = c1 * s2
-    v25 = s1 * s2
-    T34 = d1 + c2 * q[2]
-    T14 = v24 * q[2] - s1 * d2 + s1 * a3
-    T24 = c1 * d2 + v25 * q[2] - c1 * a3
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    T34_ = d1 + c2 * q[2]
+    T14_ = z2_x * q[2] - s1 * d2 + s1 * a3
+    T24_ = c1 * d2 + z2_y * q[2] - c1 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    v26 = s1 * c4 + v22 * s4
-    v27 = v23 * s4 - c1 * c4
-    v28 = s2 * s4
-    v29 = v22 * c4 - s1 * s4
-    v30 = v23 * c4 + c1 * s4
-    v31 = s2 * c4
+    x4_x = s1 * c4 + x2_x * s4
+    x4_y = x2_y * s4 - c1 * c4
+    v1 = s2 * s4
+    z4_x = x2_x * c4 - s1 * s4
+    z4_y = x2_y * c4 + c1 * s4
+    v2 = s2 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    v32 = v26 * c5 - v24 * s5
-    v33 = v27 * c5 - v25 * s5
-    v34 = v28 * c5 + c2 * s5
-    T13 = v24 * c5 + v26 * s5
-    T23 = v25 * c5 + v27 * s5
-    T33 = c2 * c5 - v28 * s5
+    x5_x = x4_x * c5 - z2_x * s5
+    x5_y = x4_y * c5 - z2_y * s5
+    v3 = v1 * c5 + c2 * s5
+    T13_ = z2_x * c5 + x4_x * s5
+    T23_ = z2_y * c5 + x4_y * s5
+    T33_ = c2 * c5 - v1 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11 = v32 * c6 + v29 * s6
-    T21 = v33 * c6 + v30 * s6
-    T12 = v29 * c6 - v32 * s6
-    T22 = v30 * c6 - v33 * s6
-    T32 = v34 * s6 - v31 * c6
-    T[0, 0] = T11
-    T[0, 1] = T12
-    T[0, 2] = T13
-    T[0, 3] = T14
-    T[1, 0] = T21
-    T[1, 1] = T22
-    T[1, 2] = T23
-    T[1, 3] = T24
-    T[2, 0] = -(v34 * c6 + v31 * s6)
-    T[2, 1] = T32
-    T[2, 2] = T33
-    T[2, 3] = T34
+    T11_ = x5_x * c6 + z4_x * s6
+    T21_ = x5_y * c6 + z4_y * s6
+    T12_ = z4_x * c6 - x5_x * s6
+    T22_ = z4_y * c6 - x5_y * s6
+    T32_ = v3 * s6 - v2 * c6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = -(v3 * c6 + v2 * s6)
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
 
@@ -135,33 +136,31 @@ def jacobian(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    v22 = c1 * c2
-    v23 = s1 * c2
+    x2_x = c1 * c2
+    x2_y = s1 * c2
     J13 = c1 * s2
     J23 = s1 * s2
-    v24 = c1 * d2 + J23 * q[2]
     J21 = J13 * q[2] - s1 * d2 + s1 * a3
-    v25 = c1 * a3
+    p3_y = c1 * d2 + J23 * q[2] - c1 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = v22 * c4 - s1 * s4
-    J55 = v23 * c4 + c1 * s4
+    J45 = x2_x * c4 - s1 * s4
+    J55 = x2_y * c4 + c1 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J13 * c5 + (s1 * c4 + v22 * s4) * s5
-    J56 = J23 * c5 + (v23 * s4 - c1 * c4) * s5
+    J46 = J13 * c5 + (s1 * c4 + x2_x * s4) * s5
+    J56 = J23 * c5 + (x2_y * s4 - c1 * c4) * s5
     J66 = c2 * c5 - s2 * s4 * s5
-    J11 = v25 - v24
-    v26 = d1 + c2 * q[2] - d1
-    J12 = c1 * v26
-    J22 = s1 * v26
-    J[0, 0] = J11
+    v1 = d1 + c2 * q[2] - d1
+    J12 = c1 * v1
+    J22 = s1 * v1
+    J[0, 0] = -p3_y
     J[0, 1] = J12
     J[0, 2] = J13
     J[1, 0] = J21
     J[1, 1] = J22
     J[1, 2] = J23
-    J[2, 1] = -(s1 * (v24 - v25) + c1 * J21)
+    J[2, 1] = -(s1 * p3_y + c1 * J21)
     J[2, 2] = c2
     J[3, 1] = -s1
     J[3, 3] = J13
@@ -179,93 +178,92 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1: type 2
-    N1 = T[0, 3] * T[0, 3] + T[1, 3] * T[1, 3]
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
     D1 = N1 - k2
-    free1 = N1 <= free_square_tolerance2
-    v27 = 2.0 * abs(-k1)
-    apart1 = merge_tolerance1 * (v27 + merge_tolerance1) < D1
-    if not (-(reach_tolerance1 * (v27 + reach_tolerance1)) <= D1):
-        return
+    free1 = N1 <= free_limit_squared2
+    apart1 = k4 < D1
+    if not (-k3 <= D1):
+        return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    v29 = 1.0 / (1.0 if free1 else N1)
-    v30 = T[0, 3] * k1
-    v31 = T[1, 3] * k1
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = T14 * k1
+    v2 = T24 * k1
 
-    # theta2, r3: type 4
-    v32 = T[2, 3] - d1
-    v33 = v32 * v32
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    Y2_2 = T34 - d1
+    v3 = Y2_2 * Y2_2
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and (free1 or not apart1):
-            continue
-        v28 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else v29 * (v31 - T[0, 3] * v28)
-        s1 = math.sin(seed[0]) if free1 else -(v29 * (v30 + T[1, 3] * v28))
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T14 * root1)
+        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T24 * root1))
         q1 = math.atan2(s1, c1)
 
-        # theta2, r3: type 4
-        w3 = math.sqrt(v28 * v28 + v33)
-        free2 = w3 <= free_tolerance1
-        v34 = 1.0 if free2 else w3
+        # theta2, r3
+        w3 = math.sqrt(root1 * root1 + v3)
+        free2 = w3 <= free_limit1
+        divisor2 = 1.0 if free2 else w3
 
-        # theta4: type 2
-        X4 = T[0, 2] * s1 - T[1, 2] * c1
-        v36 = T[0, 2] * c1 + T[1, 2] * s1
-        v37 = X4 * X4
+        # theta4, type 2: U4[3, 3]
+        X4 = T13 * s1 - T23 * c1
+        v4 = T13 * c1 + T23 * s1
+        v5 = X4 * X4
 
-        # theta6: type 3
-        v40 = T[0, 1] * c1 + T[1, 1] * s1
-        v42 = T[1, 1] * c1 - T[0, 1] * s1
-        v43 = T[0, 0] * c1 + T[1, 0] * s1
-        v45 = T[1, 0] * c1 - T[0, 0] * s1
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v6 = T12 * c1 + T22 * s1
+        v8 = T22 * c1 - T12 * s1
+        v9 = T11 * c1 + T21 * s1
+        v11 = T21 * c1 - T11 * s1
 
         for i2 in range(2):  # forward, backward
             e2 = 1.0 - 2.0 * i2
-            # theta2, r3: type 4
+            # theta2, r3
             if e2 < 0.0 and free2:
-                continue
-            v35 = e2 / v34
-            c2 = math.cos(seed[1]) if free2 else v32 * v35
-            s2 = math.sin(seed[1]) if free2 else -(v28 * v35)
+                continue  # both signs give the same
+            factor2 = e2 / divisor2
+            c2 = math.cos(seed[1]) if free2 else Y2_2 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
             q2 = math.atan2(s2, c2)
             r3 = w3 * e2
 
-            # theta4: type 2
-            Y4 = T[2, 2] * s2 - c2 * v36
-            w4 = math.sqrt(v37 + Y4 * Y4)
-            free4 = w4 <= free_tolerance
-            v38 = 1.0 if free4 else w4
+            # theta4
+            Y4 = T33 * s2 - c2 * v4
+            w4 = math.sqrt(v5 + Y4 * Y4)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
 
-            # theta5: type 3
-            c5 = T[2, 2] * c2 + s2 * v36
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = T33 * c2 + s2 * v4
 
-            # theta6: type 3
-            v41 = c2 * v40 - T[2, 1] * s2
-            v44 = c2 * v43 - T[2, 0] * s2
+            # theta6
+            v7 = c2 * v6 - T32 * s2
+            v10 = c2 * v9 - T31 * s2
 
             for i3 in range(2):  # noflip, flip
                 e3 = 1.0 - 2.0 * i3
-                # theta4: type 2
+                # theta4
                 if e3 < 0.0 and free4:
-                    continue
-                v39 = e3 / v38
-                c4 = math.cos(seed[3]) if free4 else -(X4 * v39)
-                s4 = math.sin(seed[3]) if free4 else Y4 * v39
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = math.atan2(s4, c4)
 
-                # theta5: type 3
+                # theta5
                 q5 = math.atan2(-(w4 * e3), c5)
 
-                # theta6: type 3
-                c6 = c4 * v41 + s4 * v42
-                s6 = c4 * v44 + s4 * v45
+                # theta6
+                c6 = c4 * v7 + s4 * v8
+                s6 = c4 * v10 + s4 * v11
                 q6 = math.atan2(s6, c6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
@@ -278,42 +276,68 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    if not math.isfinite(T[0, 3]):
-        return 0
-    if not math.isfinite(T[1, 3]):
-        return 0
-    if not math.isfinite(T[2, 3]):
-        return 0
-    if not abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0) <= 1e-09:
-        return 0
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
@@ -332,15 +356,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (8, 6) and status (8,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(8):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(6):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -348,7 +372,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -362,13 +387,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (8, 6), NaN where there is no solution; float64.
         status: Filled with what each row holds (8,); uint8.
-        q_seed: Values for joints that are indeterminate (6,).
+        q_seed: Values for joints that are indeterminate (6,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -377,7 +404,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (8, 6) and status (8,); row b is always branch BRANCHES[b].
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -386,12 +415,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((8, 6))
     status = np.empty(8, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (6,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -404,10 +435,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(8) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -417,35 +448,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 8, 6) and status (N, 8)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 8, 6))
     status = np.empty((len(T), 8), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -458,6 +491,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:

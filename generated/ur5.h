@@ -1,9 +1,10 @@
 /* ur5: Universal Robots UR5
+ *
  * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the whole pose is meant; other entries are ignored.
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
  */
 #ifndef UR5_H
 #define UR5_H
@@ -15,38 +16,46 @@ extern "C" {
 #endif
 
 enum {
-    UR5_DOF = 6,
-    UR5_ROWS = 8
+    UR5_DOF = 6, /* joints */
+    UR5_ROWS = 8 /* branches */
 };
 
 /* What a row of ur5_ik holds. */
 enum {
-    UR5_OK = 0,            /* joint values */
-    UR5_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    UR5_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    UR5_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    UR5_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    UR5_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    UR5_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    UR5_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    UR5_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    UR5_INVALID_POSE = 4
 };
 
-/* The name of every row: left-noflip-down, left-noflip-up, left-flip-down, left-flip-up, right-noflip-down, right-noflip-up, right-flip-down, right-flip-up. */
+/* The name of every row. */
 extern const char *const ur5_branches[8];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void ur5_fk(const double q[6], double T[16]);
 
-/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void ur5_jacobian(const double q[6], double J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -UR5_INVALID_POSE. */
-int ur5_ik(const double T[16], const double *q_seed,
-    double q[8][6], unsigned char status[8]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -UR5_INVALID_POSE. */
+int ur5_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns UR5_OK or
- * UR5_FREE_JOINT, or minus UR5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns UR5_OK or UR5_FREE_JOINT, or, with NaN in q,
+ * minus UR5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int ur5_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
-/* ur5_ik for n poses: T is n x 16, q n x 8 x 6, status n x 8. */
+/* ur5_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
 void ur5_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

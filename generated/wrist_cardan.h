@@ -1,9 +1,11 @@
 /* wrist_cardan: Spherical wrist, cardan axes
- * Inverse kinematics, generated from robots/wrist_cardan.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/wrist_cardan.yaml. The formulas and where they come from: wrist_cardan.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the orientation T[0:3, 0:3] is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/wrist_cardan.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/wrist_cardan.yaml. The formulas and where they come from:
+ * wrist_cardan.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the orientation T[0:3, 0:3] counts; other entries are ignored.
  */
 #ifndef WRIST_CARDAN_H
 #define WRIST_CARDAN_H
@@ -15,38 +17,47 @@ extern "C" {
 #endif
 
 enum {
-    WRIST_CARDAN_DOF = 3,
-    WRIST_CARDAN_ROWS = 2
+    WRIST_CARDAN_DOF = 3, /* joints */
+    WRIST_CARDAN_ROWS = 2 /* branches */
 };
 
 /* What a row of wrist_cardan_ik holds. */
 enum {
-    WRIST_CARDAN_OK = 0,            /* joint values */
-    WRIST_CARDAN_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    WRIST_CARDAN_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    WRIST_CARDAN_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    WRIST_CARDAN_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    WRIST_CARDAN_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    WRIST_CARDAN_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    WRIST_CARDAN_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    WRIST_CARDAN_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    WRIST_CARDAN_INVALID_POSE = 4
 };
 
-/* The name of every row: left, right. */
+/* The name of every row. */
 extern const char *const wrist_cardan_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void wrist_cardan_fk(const double q[3], double T[16]);
 
-/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void wrist_cardan_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -WRIST_CARDAN_INVALID_POSE. */
-int wrist_cardan_ik(const double T[16], const double *q_seed,
-    double q[2][3], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -WRIST_CARDAN_INVALID_POSE. */
+int wrist_cardan_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns WRIST_CARDAN_OK or
- * WRIST_CARDAN_FREE_JOINT, or minus WRIST_CARDAN_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns WRIST_CARDAN_OK or WRIST_CARDAN_FREE_JOINT, or, with NaN in q,
+ * minus WRIST_CARDAN_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
-/* wrist_cardan_ik for n poses: T is n x 16, q n x 2 x 3, status n x 2. */
+/* wrist_cardan_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 3, status n x 2. */
 void wrist_cardan_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

@@ -3,8 +3,8 @@
 Inverse kinematics, generated from robots/wrist_zxz.yaml and templates/python/solver.py.jinja.
 Do not edit: run dhgen robots/wrist_zxz.yaml. The formulas and where they come from: wrist_zxz.md.
 
-Poses are 4 x 4 matrices of the tool in the base frame, in m; angles are in rad. Of a pose,
-the orientation T[0:3, 0:3] is meant; other entries are ignored.
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+orientation T[0:3, 0:3] counts; other entries are ignored.
 """
 
 import math
@@ -41,13 +41,13 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-free_tolerance = 1e-12  # a vector this short fixes no angle
+free_limit = 1e-12  # a length that fixes no angle
 
 _TURN = 6.283185307179586
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
-_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
-_WEIGHT = np.array([1.0, 1.0, 1.0])  # of squared differences: lengths by arm size
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 
 
@@ -63,24 +63,24 @@ def fk(q):
     s1 = math.sin(q[0])
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    T13 = s1 * s2
-    v13 = s1 * c2
-    v14 = c1 * c2
+    T13_ = s1 * s2
+    y2_x = s1 * c2
+    v1 = c1 * c2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    T11 = c1 * c3 - v13 * s3
-    T21 = s1 * c3 + v14 * s3
-    T31 = s2 * s3
-    T22 = v14 * c3 - s1 * s3
-    T32 = s2 * c3
-    T[0, 0] = T11
-    T[0, 1] = -(v13 * c3 + c1 * s3)
-    T[0, 2] = T13
-    T[1, 0] = T21
-    T[1, 1] = T22
+    T11_ = c1 * c3 - y2_x * s3
+    T21_ = s1 * c3 + v1 * s3
+    T31_ = s2 * s3
+    T22_ = v1 * c3 - s1 * s3
+    T32_ = s2 * c3
+    T[0, 0] = T11_
+    T[0, 1] = -(y2_x * c3 + c1 * s3)
+    T[0, 2] = T13_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
     T[1, 2] = -(c1 * s2)
-    T[2, 0] = T31
-    T[2, 1] = T32
+    T[2, 0] = T31_
+    T[2, 1] = T32_
     T[2, 2] = c2
     T[3, 3] = 1.0
     return T
@@ -105,31 +105,31 @@ def jacobian(q):
 
 
 @njit(cache=True, error_model="numpy")
-def _solve(T, seed, q, status):
-    """Fills the rows of the branches that have a solution, and no others.
-    """
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, _, T21, T22, T23, _, _, _, T33, _ = pose
 
-    # theta1: type 2
-    w1 = math.sqrt(T[1, 2] * T[1, 2] + T[0, 2] * T[0, 2])
-    free1 = w1 <= free_tolerance
-    v9 = 1.0 if free1 else w1
+    # theta1, type 2: U1[1, 3]
+    w1 = math.sqrt(T23 * T23 + T13 * T13)
+    free1 = w1 <= free_limit
+    divisor1 = 1.0 if free1 else w1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
-        # theta1: type 2
+        # theta1
         if e1 < 0.0 and free1:
-            continue
-        v10 = e1 / v9
-        c1 = math.cos(seed[0]) if free1 else T[1, 2] * v10
-        s1 = math.sin(seed[0]) if free1 else -(T[0, 2] * v10)
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else T23 * factor1
+        s1 = math.sin(seed[0]) if free1 else -(T13 * factor1)
         q1 = math.atan2(s1, c1)
 
-        # theta2: type 3
-        q2 = math.atan2(-(w1 * e1), T[2, 2])
+        # theta2, type 3: U1[3, 3] and U1[2, 3]
+        q2 = math.atan2(-(w1 * e1), T33)
 
-        # theta3: type 3
-        c3 = T[0, 0] * c1 + T[1, 0] * s1
-        q3 = math.atan2(-(T[0, 1] * c1 + T[1, 1] * s1), c3)
+        # theta3, type 3: U1[1, 2] and U1[1, 1]
+        c3 = T11 * c1 + T21 * s1
+        q3 = math.atan2(-(T12 * c1 + T22 * s1), c3)
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
@@ -138,41 +138,68 @@ def _solve(T, seed, q, status):
 
 
 @njit(cache=True, error_model="numpy")
-def _fit(T):
-    """What the named entries of T are: 0 no pose, 1 a pose, 2 a pose that is only rounded."""
-    aa = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
-    bb = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
-    ab = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
-    x = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
-    y = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
-    z = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
-    miss = aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z
-    if not miss <= 1e-09:
-        return 0
-    return 1 if miss <= 1e-24 else 2
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
 
 
 @njit(cache=True, error_model="numpy")
-def _straightened(T):
-    """The pose with the nearest rotation: twice R (3 I - R' R) / 2 (polar decomposition, Higham 1986)."""
-    R = T.copy()
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
     for _ in range(2):
-        S = R.copy()
-        for i in range(3):
-            for j in range(3):
-                total = 1.5 * S[i, j]
-                for k in range(3):
-                    gram = S[0, k] * S[0, j] + S[1, k] * S[1, j] + S[2, k] * S[2, j]
-                    total -= 0.5 * S[i, k] * gram
-                R[i, j] = total
-    return R
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
 
 
 @njit(cache=True, error_model="numpy")
 def _turned(joint, value, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
-    if not _REVOLUTE[joint]:
-        return value
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
     value += _TURN * math.floor((towards - value) / _TURN + 0.5)
     if value > high:
@@ -184,15 +211,15 @@ def _turned(joint, value, towards):
 
 @njit(cache=True, error_model="numpy")
 def _ik(T, seed, q, status):
-    """All rows into q (2, 3) and status (2,); how many are OK or FREE_JOINT."""
-    fit = _fit(T)
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
     for row in range(2):
-        status[row] = UNREACHABLE if fit else INVALID_POSE
+        status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
-    if not fit:
+    if not valid:
         return 0
-    pose = T if fit == 1 else _straightened(T)
+    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -200,7 +227,8 @@ def _ik(T, seed, q, status):
             continue
         for i in range(3):
             q[row, i] = _turned(i, q[row, i], q[row, i])
-            if not _LOWEST[i] - 1e-09 <= q[row, i] <= _HIGHEST[i] + 1e-09:
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
                 status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
@@ -214,13 +242,15 @@ def _ik_batch(T, q, status):
 
 
 def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions without allocation, for control loops.
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (2, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (2,); uint8.
-        q_seed: Values for joints that are indeterminate (3,).
+        q_seed: Values for joints that are indeterminate (3,), float64.
 
     Returns:
         How many rows are OK or FREE_JOINT.
@@ -229,7 +259,9 @@ def ik_into(T, q, status, q_seed=_ZEROS):
 
 
 def ik_all(T, q_seed=None):
-    """All solutions: q (2, 3) and status (2,); row b is always branch BRANCHES[b].
+    """All solutions: q (2, 3) and status (2,).
+
+    Row b is always branch BRANCHES[b].
 
     Args:
         T: Pose (4, 4).
@@ -238,12 +270,14 @@ def ik_all(T, q_seed=None):
     q = np.empty((2, 3))
     status = np.empty(2, np.uint8)
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_pose(T), seed, q, status)
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
     return q, status
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
-    """One solution (3,): the nearest to the seed, angles moved by whole turns inside their limits.
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
 
     Args:
         T: Pose (4, 4).
@@ -256,10 +290,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         ValueError: T is no pose, or there is no such branch.
     """
     seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
     q, status = ik_all(T, seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: its entries are not finite, or its rotation is not orthonormal")
-    rows = range(2) if branch is None else [_row(branch)]
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
     best, least = None, math.inf
     for row in rows:
         if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
@@ -269,35 +303,37 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         if distance < least:
             best, least = values, distance
     if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[_row(branch)]}"
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
         beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        reason = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(reason + where)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
     return best
 
 
 def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores: q (N, 2, 3) and status (N, 2)."""
-    T = np.ascontiguousarray(T, np.float64)
-    if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 3) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
     q = np.empty((len(T), 2, 3))
     status = np.empty((len(T), 2), np.uint8)
     _ik_batch(T, q, status)
     return q, status
 
 
-def _pose(T):
-    T = np.asarray(T, np.float64)
-    if T.shape != (4, 4):
-        raise ValueError(f"T must have shape (4, 4), not {T.shape}")
-    return np.ascontiguousarray(T)
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
 
 
 def _vector(values, size, name):
-    values = np.ascontiguousarray(values, np.float64)
-    if values.shape != (size,):
-        raise ValueError(f"{name} must have shape ({size},), not {values.shape}")
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
     return values
 
 
@@ -310,8 +346,7 @@ def _row(branch):
 
 
 def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -1,21 +1,22 @@
 /* wrist_zyz: Spherical wrist, axes z, y, z
+ *
  * Inverse kinematics, generated from robots/wrist_zyz.yaml and templates/c/solver.c.jinja.
- * Do not edit: run dhgen robots/wrist_zyz.yaml. The formulas and where they come from: wrist_zyz.md.
+ * Do not edit: run dhgen robots/wrist_zyz.yaml. The formulas and where they come from:
+ * wrist_zyz.md.
  */
 #include "wrist_zyz.h"
 
 #include <math.h>
 
-static const double free_tolerance = 1e-12; /* a vector this short fixes no angle */
+static const double turn = 6.283185307179586;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
 
 const char *const wrist_zyz_branches[2] = {
-    "left",
-    "right",
+    "left", "right",
 };
 
 static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
 static const double highest[3] = { INFINITY, INFINITY, INFINITY };
-static const double turn = 6.283185307179586;
 
 void wrist_zyz_fk(const double q[3], double T[16])
 {
@@ -23,17 +24,17 @@ void wrist_zyz_fk(const double q[3], double T[16])
     const double s1 = sin(q[0]);
     const double c2 = cos(q[1]);
     const double s2 = sin(q[1]);
-    const double v11 = c1 * c2;
-    const double v12 = s1 * c2;
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
     const double c3 = cos(q[2]);
     const double s3 = sin(q[2]);
-    const double T11 = v11 * c3 - s1 * s3;
-    const double T21 = v12 * c3 + c1 * s3;
-    const double T31 = s2 * c3;
-    const double T22 = c1 * c3 - v12 * s3;
-    T[0] = T11; T[1] = -(s1 * c3 + v11 * s3); T[2] = -(c1 * s2); T[3] = 0.0;
-    T[4] = T21; T[5] = T22; T[6] = -(s1 * s2); T[7] = 0.0;
-    T[8] = T31; T[9] = -(s2 * s3); T[10] = c2; T[11] = 0.0;
+    const double T11_ = x2_x * c3 - s1 * s3;
+    const double T21_ = x2_y * c3 + c1 * s3;
+    const double T31_ = s2 * c3;
+    const double T22_ = c1 * c3 - x2_y * s3;
+    T[0] = T11_; T[1] = -(s1 * c3 + x2_x * s3); T[2] = -(c1 * s2); T[3] = 0.0;
+    T[4] = T21_; T[5] = T22_; T[6] = -(s1 * s2); T[7] = 0.0;
+    T[8] = T31_; T[9] = -(s2 * s3); T[10] = c2; T[11] = 0.0;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -55,23 +56,22 @@ void wrist_zyz_jacobian(const double q[3], double J[18])
 /* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
 static double misfit(const double T[16])
 {
-    const double *a = T, *b = T + 4, *c = T + 8;
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0;
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2] - 1.0;
-    const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double x = a[1] * b[2] - a[2] * b[1] - c[0];
-    const double y = a[2] * b[0] - a[0] * b[2] - c[1];
-    const double z = a[0] * b[1] - a[1] * b[0] - c[2];
-    return aa * aa + bb * bb + 2.0 * ab * ab + x * x + y * y + z * z;
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
     double R[9], G[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[3 * i + j] = T[4 * i + j];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             G[3 * i + j] = (i == j ? 1.5 : 0.0)
@@ -81,7 +81,8 @@ static void straighten(double T[16])
             T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one. Returns 0 for what is no pose. */
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -97,43 +98,47 @@ static int read_pose(const double given[16], double T[16])
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
-static void solve(const double T[16], const double seed[3],
-    double q[2][3], unsigned char status[2])
+static void solve(
+    const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
 {
+    const double T11 = T[0], T12 = T[1], T13 = T[2];
+    const double T21 = T[4], T22 = T[5], T23 = T[6];
+    const double T33 = T[10];
 
-    /* theta1: type 2 */
-    const double w1 = sqrt(T[2] * T[2] + T[6] * T[6]);
-    const int free1 = w1 <= free_tolerance;
-    const double v10 = free1 ? 1.0 : w1;
+    /* theta1, type 2: U1[3, 3] */
+    const double w1 = sqrt(T13 * T13 + T23 * T23);
+    const int free1 = w1 <= free_limit;
+    const double divisor1 = free1 ? 1.0 : w1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
-        /* theta1: type 2 */
-        if (e1 < 0.0 && free1) continue;
-        const double v11 = e1 / v10;
-        const double c1 = free1 ? cos(seed[0]) : T[2] * v11;
-        const double s1 = free1 ? sin(seed[0]) : T[6] * v11;
+        /* theta1 */
+        if (e1 < 0.0 && free1) continue; /* both signs give the same */
+        const double factor1 = e1 / divisor1;
+        const double c1 = free1 ? cos(seed[0]) : T13 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : T23 * factor1;
         const double q1 = atan2(s1, c1);
 
-        /* theta2: type 3 */
-        const double q2 = atan2(-(w1 * e1), T[10]);
+        /* theta2, type 3: U1[2, 3] and U1[1, 3] */
+        const double q2 = atan2(-(w1 * e1), T33);
 
-        /* theta3: type 3 */
-        const double s3 = T[4] * c1 - T[0] * s1;
-        const double c3 = T[5] * c1 - T[1] * s1;
+        /* theta3, type 3: U1[3, 2] and U1[3, 1] */
+        const double s3 = T21 * c1 - T11 * s1;
+        const double c3 = T22 * c1 - T12 * s1;
         const double q3 = atan2(s3, c3);
         const int row = i1;
         q[row][0] = q1;
         q[row][1] = q2;
         q[row][2] = q3;
-        status[row] = free1 ? WRIST_ZYZ_FREE_JOINT : WRIST_ZYZ_OK;
+        status[row] = (free1) ? WRIST_ZYZ_FREE_JOINT : WRIST_ZYZ_OK;
     }
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double value, double towards)
 {
-    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
     value += turn * floor((towards - value) / turn + 0.5);
     if (value > high)
         value -= turn * ceil((value - high) / turn);
@@ -147,8 +152,7 @@ static int inside(int joint, double value)
     return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
 }
 
-int wrist_zyz_ik(const double T[16], const double *q_seed,
-    double q[2][3], unsigned char status[2])
+int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
@@ -183,17 +187,18 @@ int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3]
     int result = -WRIST_ZYZ_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
-    if (wrist_zyz_ik(T, q_seed, all, status) == -WRIST_ZYZ_INVALID_POSE)
+    if (wrist_zyz_ik(T, q_seed, all, status) < 0)
         return -WRIST_ZYZ_INVALID_POSE;
     for (int row = 0; row < 2; row++) {
         double distance = 0.0;
-        if (status[row] == WRIST_ZYZ_OUT_OF_LIMITS && result == -WRIST_ZYZ_UNREACHABLE)
+        if (status[row] == WRIST_ZYZ_OUT_OF_LIMITS && result < 0)
             result = -WRIST_ZYZ_OUT_OF_LIMITS;
         if (status[row] != WRIST_ZYZ_OK && status[row] != WRIST_ZYZ_FREE_JOINT)
             continue;
         for (int i = 0; i < 3; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);
-            distance += (all[row][i] - q_seed[i]) * (all[row][i] - q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
         }
         if (distance < least) {
             least = distance;

@@ -1,9 +1,11 @@
 /* wrist_zyz: Spherical wrist, axes z, y, z
- * Inverse kinematics, generated from robots/wrist_zyz.yaml and templates/c/solver.h.jinja.
- * Do not edit: run dhgen robots/wrist_zyz.yaml. The formulas and where they come from: wrist_zyz.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, in m; angles are in rad.
- * Of a pose, the orientation T[0:3, 0:3] is meant; other entries are ignored.
+ * Inverse kinematics, generated from robots/wrist_zyz.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/wrist_zyz.yaml. The formulas and where they come from:
+ * wrist_zyz.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the orientation T[0:3, 0:3] counts; other entries are ignored.
  */
 #ifndef WRIST_ZYZ_H
 #define WRIST_ZYZ_H
@@ -15,38 +17,46 @@ extern "C" {
 #endif
 
 enum {
-    WRIST_ZYZ_DOF = 3,
-    WRIST_ZYZ_ROWS = 2
+    WRIST_ZYZ_DOF = 3, /* joints */
+    WRIST_ZYZ_ROWS = 2 /* branches */
 };
 
 /* What a row of wrist_zyz_ik holds. */
 enum {
-    WRIST_ZYZ_OK = 0,            /* joint values */
-    WRIST_ZYZ_UNREACHABLE = 1,   /* NaN: no solution in this branch, or one that a row before it holds */
-    WRIST_ZYZ_FREE_JOINT = 2,    /* joint values; a joint was indeterminate and took the seed's value */
-    WRIST_ZYZ_OUT_OF_LIMITS = 3, /* joint values, of which one is beyond its limits */
-    WRIST_ZYZ_INVALID_POSE = 4   /* NaN: T is no pose */
+    /* joint values */
+    WRIST_ZYZ_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    WRIST_ZYZ_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    WRIST_ZYZ_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    WRIST_ZYZ_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    WRIST_ZYZ_INVALID_POSE = 4
 };
 
-/* The name of every row: left, right. */
+/* The name of every row. */
 extern const char *const wrist_zyz_branches[2];
 
-/* T of the joint values q. */
+/* The pose T of the joint values q. */
 void wrist_zyz_fk(const double q[3], double T[16]);
 
-/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, angular velocity. */
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
 void wrist_zyz_jacobian(const double q[3], double J[18]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
- * (NULL: zeros). Returns the number of rows that are OK or FREE_JOINT, or -WRIST_ZYZ_INVALID_POSE. */
-int wrist_zyz_ik(const double T[16], const double *q_seed,
-    double q[2][3], unsigned char status[2]);
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -WRIST_ZYZ_INVALID_POSE. */
+int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits. Returns WRIST_ZYZ_OK or
- * WRIST_ZYZ_FREE_JOINT, or minus WRIST_ZYZ_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE (q is then NaN). */
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns WRIST_ZYZ_OK or WRIST_ZYZ_FREE_JOINT, or, with NaN in q,
+ * minus WRIST_ZYZ_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
 int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
-/* wrist_zyz_ik for n poses: T is n x 16, q n x 2 x 3, status n x 2. */
+/* wrist_zyz_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 3, status n x 2. */
 void wrist_zyz_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
 
 #ifdef __cplusplus

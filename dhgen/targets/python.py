@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.robot import TaskKind
 from dhgen.general.emit import python_source
+from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import WIDTH, listed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.python_language import Python

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import jinja2
 import pytest
-from tests.pose.pose_libraries import FILES, WARNINGS, compiler, emitted, run
 
 from dhgen.targets.templates import render
+from tests.pose.pose_libraries import FILES, WARNINGS, compiler, emitted, run
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+
 from tests.pose.pose_libraries import LIBRARIES, library, read, write
 
 each_library = pytest.mark.parametrize("name", LIBRARIES)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from tests.pose import pose_reference as reference
 import pytest
+
+from tests.pose import pose_reference as reference
 from tests.pose.pose_libraries import LIBRARIES, NOTATIONS, call_c, library, read, write
 
 each_library = pytest.mark.parametrize("name", LIBRARIES)

@@ -10,6 +10,7 @@ from dhgen.targets.derivation.closing_sections import (
     solutions_section,
 )
 from dhgen.targets.derivation.forward_section import forward_section
+from dhgen.targets.derivation.general_section import general_section
 from dhgen.targets.derivation.inverse_section import inverse_beginning
 from dhgen.targets.derivation.joints_section import joint_values
 from dhgen.targets.derivation.robot_section import opening, robot_section
@@ -23,6 +24,10 @@ if TYPE_CHECKING:
 
 def document_blocks(story: Story) -> list[Block]:
     """The whole derivation."""
+    general = story.derivation.general
+    if general is not None:
+        beginning = [*opening(story), *robot_section(story), *forward_section(story)]
+        return [*beginning, *general_section(general)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [
         *opening(story),

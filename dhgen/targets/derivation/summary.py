@@ -19,6 +19,12 @@ LONGEST = 62  # characters of an equation; the rest is in the derivation
 
 def summary_text(story: Story, singular: list[Singularity]) -> str:
     """A line for every step, then the branches and the singular places."""
+    if story.derivation.general is not None:
+        hidden = story.derivation.general.first.joints[0] + 1
+        return (
+            "no closed form: the general 6R algorithm, up to 16 solutions\n"
+            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on\n"
+        )
     rows = [_step(story, number) for number in range(1, len(story.steps) + 1)]
     widths = [max(len(row[column]) for row in rows) for column in range(3)]
     lines = [

@@ -1,0 +1,160 @@
+"""The inverse of an arm without a closed form: the elimination in words, equations and numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragraph, say
+from dhgen.targets.derivation.formula import Symbol
+
+if TYPE_CHECKING:
+    from dhgen.general.formulation import Formulation
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.targets.derivation.blocks import Block
+
+
+def general_section(kernel: GeneralKernel) -> list[Block]:
+    """What replaces the steps of Paul's method."""
+    blocks: list[Block] = [
+        Heading(2, say("Inverse")),
+        paragraph(
+            "No three neighbouring axes are parallel or meet in one point, and no order of "
+            "equations of the types 1 to 9 gives the joints one after the other. The six joints "
+            "are found together, by the elimination of M. Raghavan and B. Roth (1993). An arm of "
+            "this kind has at most sixteen solutions."
+        ),
+        Paragraph(
+            say(
+                "With the constant transforms between the joints' axes the forward model is a loop "
+                "that closes:"
+            ),
+            say("The loop."),
+        ),
+        Display((_loop(),)),
+    ]
+    blocks += _elimination(kernel)
+    blocks += _polynomial(kernel)
+    blocks += _rest(kernel)
+    return blocks
+
+
+def _loop() -> Symbol:
+    turns = " ".join(rf"R_z(\theta_{k})\,K_{k - 1}" for k in range(1, 6))
+    plain = " ".join(f"Rz(θ{k}) K{k - 1}" for k in range(1, 6))
+    return Symbol(
+        rf"{turns}\,R_z(\theta_6) = P, \qquad P = C_0^{{-1}}\,\mathit{{POS}}\,C_6^{{-1}}",
+        f"{plain} Rz(θ6) = P,  P = C0⁻¹ POS C6⁻¹",
+    )
+
+
+def _elimination(kernel: GeneralKernel) -> list[Block]:
+    first = kernel.first
+    hidden, one, two = (_theta(first, place) for place in (0, 1, 2))
+    return [
+        Paragraph(
+            say(
+                "Let three joints, {}, {} and {}, stand on the left and the others on the right. "
+                "Let l and p be the third and fourth column of a side. The fourteen features",
+                hidden,
+                one,
+                two,
+            ),
+            say("1. Fourteen equations."),
+        ),
+        Display(
+            (
+                Symbol(
+                    r"l,\quad p,\quad p \cdot p,\quad p \cdot l,\quad p \times l,\quad "
+                    r"(p \cdot p)\,l - 2\,(p \cdot l)\,p",
+                    "l,  p,  p·p,  p·l,  p×l,  (p·p) l − 2 (p·l) p",
+                ),
+            )
+        ),
+        paragraph(
+            "are the same on both sides. On the left they are linear in 1, cos and sin of {} with "
+            "nine monomials of {} and {}; on the right one joint does not occur at all and eight "
+            "monomials of two joints remain. Eliminating these eight leaves six equations in the "
+            "three joints of the left side.",
+            hidden,
+            one,
+            two,
+        ),
+    ]
+
+
+def _polynomial(kernel: GeneralKernel) -> list[Block]:
+    hidden, one, two = (_theta(kernel.first, place) for place in (0, 1, 2))
+    blocks: list[Block] = [
+        Paragraph(
+            say(
+                "With the half-angle tangents of {} and {}, and each equation also multiplied by "
+                "the first of them, there are twelve linear equations in twelve monomials. They "
+                "have a solution where the determinant vanishes,",
+                one,
+                two,
+            ),
+            say("2. One polynomial."),
+        ),
+        Display(
+            (
+                Symbol(
+                    r"f(\varphi) = \det M(\varphi) = \sum_{m=0}^{8} a_m \cos m\varphi + "
+                    r"b_m \sin m\varphi = 0,",
+                    "f(φ) = det M(φ) = Σ a_m cos mφ + b_m sin mφ = 0,  m = 0 … 8,",
+                ),
+            )
+        ),
+        paragraph(
+            "a trigonometric polynomial of degree 8 in φ, the angle of {}. Its coefficients come "
+            "from its values at 24 angles; all its real roots are isolated by bounds on the "
+            "circle.",
+            hidden,
+        ),
+    ]
+    if kernel.wrist is not None:
+        blocks.append(
+            paragraph(
+                "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, "
+                "axes 2 and 3 are parallel. Its polynomial in θ6 is known in closed form and is "
+                "tried first; no determinant is needed where it succeeds."
+            )
+        )
+    return blocks
+
+
+def _rest(kernel: GeneralKernel) -> list[Block]:
+    second = kernel.second
+    blocks: list[Block] = [
+        Paragraph(
+            say(
+                "For every root the null vector of the matrix gives the next two joints, a small "
+                "linear system two more, and what is left of the loop the last one. Newton steps "
+                "on the loop bring each solution to rounding, and a solution counts only if the "
+                "loop closes."
+            ),
+            say("3. The other joints."),
+        ),
+        Paragraph(
+            say(
+                "Every simple root owns a solution, every double one two, and the number of "
+                "solutions is even; otherwise "
+                + (
+                    "the search is repeated from a pose nearby and followed back."
+                    if second is None
+                    else "the same is done with {} hidden, and then from a pose nearby."
+                ),
+                *(() if second is None else (_theta(second, 0),)),
+            ),
+            say("4. The certificate."),
+        ),
+        paragraph(
+            "Rows are ordered by θ1, then by θ2 and so on. Where the arm is singular, solutions "
+            "may be double, or a whole family of which some members are given."
+        ),
+    ]
+    return blocks
+
+
+def _theta(formulation: Formulation, place: int) -> Symbol:
+    joint = formulation.joints[place] + 1
+    return Symbol(rf"\theta_{joint}", f"θ{joint}")
