@@ -35,7 +35,7 @@ def refusal(search: Search, chain: Chain) -> str:
     lines = [
         f"no order of equations makes every joint known: {open_joints} stay unknown",
         *_nearest(search, state),
-        *_geometry(chain),
+        *missed_structure(chain),
     ]
     return "\n".join(lines)
 
@@ -99,7 +99,7 @@ def _number(equation_type: EquationType) -> str:
     return equation_type.name.removeprefix("types ").removeprefix("type ")
 
 
-def _geometry(chain: Chain) -> list[str]:
+def missed_structure(chain: Chain) -> list[str]:
     """Which three axes are parallel or concurrent, and which nearly are."""
     described = [text for triple in axis_triples(chain) if (text := _describe(triple, chain.size))]
     if not described:

@@ -7,7 +7,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.refusal import refusal
+from dhgen.paul.refusal import missed_structure, refusal
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED
 from tests.kinematics.values import algebra_of, table
@@ -54,10 +54,9 @@ def test_a_wrist_that_nearly_meets() -> None:
         "theta: q, d: 0.2, a: 0.1, alpha: 75 deg",
     )
     wrist = ("theta: q, d: 0.5, alpha: -pi/2", "theta: q, d: 0.0321, alpha: pi/2")
-    lines = refused(*arm, *wrist, "theta: q, d: 0.1")
-    assert "  axes 4, 5, 6 miss one point by 0.0321" in lines
-    assert len(lines) <= 25
-    assert max(map(len, lines)) <= 140
+    # the general algorithm solves it; what it misses is said all the same
+    chain = build_chain(table(*arm, *wrist, "theta: q, d: 0.1"))
+    assert "  axes 4, 5, 6 miss one point by 0.0321" in missed_structure(chain)
 
 
 def test_reasons_stand_with_the_types_that_give_them() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.refusal import missed_structure
 from dhgen.targets.derivation.names import unknown_symbol
 from dhgen.targets.derivation.plain import words
 from dhgen.targets.derivation.steps import quoted
@@ -21,10 +22,12 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     """A line for every step, then the branches and the singular places."""
     if story.derivation.general is not None:
         hidden = story.derivation.general.first.joints[0] + 1
-        return (
-            "no closed form: the general 6R algorithm, up to 16 solutions\n"
-            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on\n"
-        )
+        lines = [
+            "no closed form: the general 6R algorithm, up to 16 solutions",
+            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on",
+            *missed_structure(story.algebra.chain),
+        ]
+        return "\n".join(lines) + "\n"
     rows = [_step(story, number) for number in range(1, len(story.steps) + 1)]
     widths = [max(len(row[column]) for row in rows) for column in range(3)]
     lines = [
