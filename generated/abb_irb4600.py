@@ -1,0 +1,577 @@
+"""abb_irb4600: ABB IRB 4600-40/2.55.
+
+Inverse kinematics, generated from robots/abb_irb4600.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/abb_irb4600.yaml. The formulas and where they come from:
+abb_irb4600.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "abb_irb4600"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-3.141592653589793, 3.141592653589793),
+    (-1.5707963267948966, 2.6179938779914944),
+    (-3.141592653589793, 1.3089969389957472),
+    (-6.981317007977318, 6.981317007977318),
+    (-2.181661564992912, 2.0943951023931953),
+    (-6.981317007977318, 6.981317007977318),
+)
+BRANCHES = (
+    "left-down-noflip",
+    "left-down-flip",
+    "left-up-noflip",
+    "left-up-flip",
+    "right-down-noflip",
+    "right-down-flip",
+    "right-up-noflip",
+    "right-up-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a1 = 0.175  # x of axis 2 [m]
+d1 = 0.495  # z of axis 2 [m]
+a2 = 1.095  # z of axis 3 [m]
+a3 = 0.175  # z of axis 4 [m]
+d4 = 1.27  # x of axis 5 [m]
+d6 = 0.135  # x of the home pose [m]
+free_limit1 = 3.3449999999999996e-12  # a length that fixes no angle [m]
+longest3 = 5.650130854134036  # square of the longest reach [m^2]
+shortest3 = 0.03496914586596454  # square of the shortest reach [m^2]
+longest3_reach = 5.650130854135626  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.034969145865839435  # the shortest, with what rounding adds [m^2]
+longest3_apart = 5.650130854133877  # the longest, where branches merge [m^2]
+shortest3_apart = 0.03496914586597705  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.1189024999999999e-23  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 2.7813  # 2 * d4 * a2 [m^2]
+k2 = 0.38325  # 2 * a3 * a2 [m^2]
+k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
+k4 = 0.1268631397825131  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * s2
+    x2_y = s1 * s2
+    y2_x = c1 * c2
+    y2_y = s1 * c2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = c2 * c3 - s2 * s3
+    y3_x = y2_x * c3 - x2_x * s3
+    y3_y = y2_y * c3 - x2_y * s3
+    v1 = s2 * c3 + c2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + s1 * s4
+    x4_y = x3_y * c4 - c1 * s4
+    x4_z = x3_z * c4
+    y4_x = s1 * c4 - x3_x * s4
+    z5_y = c1 * c4 + x3_y * s4
+    z5_z = x3_z * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y3_x * s5
+    x5_y = x4_y * c5 + y3_y * s5
+    x5_z = x4_z * c5 - v1 * s5
+    T13_ = y3_x * c5 - x4_x * s5
+    T23_ = y3_y * c5 - x4_y * s5
+    v2 = v1 * c5 + x4_z * s5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T22_ = z5_y * c6 + x5_y * s6
+    T32_ = z5_z * c6 + x5_z * s6
+    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + T13_ * d6
+    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + T23_ * d6
+    T34_ = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6
+    T21_ = z5_y * s6 - x5_y * c6
+    T31_ = z5_z * s6 - x5_z * c6
+    T12_ = x5_x * s6 - y4_x * c6
+    T[0, 0] = -(x5_x * c6 + y4_x * s6)
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = -v2
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p2_x = c1 * a1
+    p2_y = s1 * a1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * s2
+    x2_y = s1 * s2
+    y2_x = c1 * c2
+    y2_y = s1 * c2
+    p3_x = p2_x + x2_x * a2
+    p3_y = p2_y + x2_y * a2
+    p3_z = d1 + c2 * a2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = c2 * c3 - s2 * s3
+    J44 = y2_x * c3 - x2_x * s3
+    J54 = y2_y * c3 - x2_y * s3
+    v1 = s2 * c3 + c2 * s3
+    p4_x = p3_x + x3_x * a3
+    p4_y = p3_y + x3_y * a3
+    p4_z = p3_z + x3_z * a3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    J55 = c1 * c4 + x3_y * s4
+    J65 = x3_z * s4
+    p5_x = p4_x + J44 * d4
+    p5_y = p4_y + J54 * d4
+    p5_z = p4_z - v1 * d4
+    J45 = x3_x * s4 - s1 * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    J46 = J44 * c5 - (x3_x * c4 + s1 * s4) * s5
+    J56 = J54 * c5 - (x3_y * c4 - c1 * s4) * s5
+    v2 = v1 * c5 + x3_z * c4 * s5
+    J21 = p5_x + J46 * d6
+    v3 = p5_y + J56 * d6
+    v4 = p5_z - v2 * d6
+    v5 = v4 - d1
+    J12 = c1 * v5
+    J22 = s1 * v5
+    v6 = v4 - p3_z
+    J13 = c1 * v6
+    J23 = s1 * v6
+    v7 = J21 - p4_x
+    v8 = v3 - p4_y
+    v9 = v4 - p4_z
+    J14 = J54 * v9 + v1 * v8
+    J34 = J44 * v8 - J54 * v7
+    v10 = J21 - p5_x
+    v11 = v3 - p5_y
+    v12 = v4 - p5_z
+    J15 = J55 * v12 - J65 * v11
+    J25 = J65 * v10 - J45 * v12
+    J35 = J45 * v11 - J55 * v10
+    J16 = J56 * v12 + v2 * v11
+    J36 = J46 * v11 - J56 * v10
+    J[0, 0] = -v3
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = -(v1 * v7 + J44 * v9)
+    J[1, 4] = J25
+    J[1, 5] = -(v2 * v10 + J46 * v12)
+    J[2, 1] = -(s1 * (v3 - p2_y) + c1 * (J21 - p2_x))
+    J[2, 2] = -(s1 * (v3 - p3_y) + c1 * (J21 - p3_x))
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 1] = -s1
+    J[3, 2] = -s1
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 1] = c1
+    J[4, 2] = c1
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 3] = -v1
+    J[5, 4] = J65
+    J[5, 5] = -v2
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 4]
+    t14 = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    w1 = math.sqrt(t14 * t14 + Y1 * Y1)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+
+    # theta3, type 6: U1[3, 4] and U1[1, 4]
+    t34 = T34 - d6 * T33
+    Z1_3 = t34 - d1
+    v2 = Z1_3 * Z1_3
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(t14 * factor1)
+        s1 = math.sin(seed[0]) if free1 else Y1 * factor1
+        q1 = math.atan2(s1, c1)
+
+        # theta3
+        v1 = w1 * e1 + a1
+        N3 = v2 + v1 * v1
+        K3 = N3 - k3
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        v3 = k1 * K3
+        v4 = k2 * K3
+
+        # theta4, type 2: U4[2, 3]
+        v6 = T13 * c1 + T23 * s1
+        Y4 = T23 * c1 - T13 * s1
+        v7 = Y4 * Y4
+
+        # theta6, type 3: U4[2, 2] and U4[2, 1]
+        v8 = T12 * s1 - T22 * c1
+        v9 = T12 * c1 + T22 * s1
+        v11 = T11 * s1 - T21 * c1
+        v12 = T11 * c1 + T21 * s1
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            root3 = w3 * e2
+            s3 = (k2 * root3 - v3) * k4
+            c3 = k4 * (v4 + k1 * root3)
+            q3 = math.atan2(s3, c3)
+
+            # theta2, type 3: U1[1, 4] and U1[3, 4]
+            X1_2 = a2 + (a3 * c3 - d4 * s3)
+            Y1_2 = d4 * c3 + a3 * s3
+            v5 = v1 * X1_2 + Z1_3 * Y1_2
+            C2 = Z1_3 * X1_2 - v1 * Y1_2
+            w2 = math.sqrt(v5 * v5 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(v5 * factor2)
+            q2 = math.atan2(s2, c2)
+
+            # theta4
+            c23 = c3 * c2 - s3 * s2
+            s23 = c3 * s2 + s3 * c2
+            X4 = T33 * c23 + s23 * v6
+            w4 = math.sqrt(X4 * X4 + v7)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
+
+            # theta5, type 3: U4[3, 3] and U4[1, 3]
+            c5 = c23 * v6 - T33 * s23
+
+            # theta6
+            v10 = T32 * c23 + s23 * v9
+            v13 = T31 * c23 + s23 * v12
+
+            for i3 in range(2):  # noflip, flip
+                e3 = 1.0 - 2.0 * i3
+                # theta4
+                if e3 < 0.0 and free4:
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else Y4 * factor4
+                q4 = math.atan2(s4, c4)
+                s5 = w4 * e3
+
+                # theta5
+                q5 = math.atan2(s5, c5)
+
+                # theta6
+                c6 = s4 * v10 - c4 * v8
+                s6 = s4 * v13 - c4 * v11
+                q6 = math.atan2(s6, c6)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+    """
+    q = np.empty((8, 6))
+    status = np.empty(8, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 8, 6))
+    status = np.empty((len(T), 8), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -1,0 +1,67 @@
+/* adept_cobra600: Adept Cobra 600
+ *
+ * Inverse kinematics, generated from robots/adept_cobra600.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/adept_cobra600.yaml. The formulas and where they come from:
+ * adept_cobra600.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef ADEPT_COBRA600_H
+#define ADEPT_COBRA600_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    ADEPT_COBRA600_DOF = 4, /* joints */
+    ADEPT_COBRA600_ROWS = 2 /* branches */
+};
+
+/* What a row of adept_cobra600_ik holds. */
+enum {
+    /* joint values */
+    ADEPT_COBRA600_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    ADEPT_COBRA600_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    ADEPT_COBRA600_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    ADEPT_COBRA600_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    ADEPT_COBRA600_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const adept_cobra600_branches[2];
+
+/* The pose T of the joint values q. */
+void adept_cobra600_fk(const double q[4], double T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void adept_cobra600_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -ADEPT_COBRA600_INVALID_POSE. */
+int adept_cobra600_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns ADEPT_COBRA600_OK or ADEPT_COBRA600_FREE_JOINT, or, with NaN in q,
+ * minus ADEPT_COBRA600_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* adept_cobra600_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void adept_cobra600_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

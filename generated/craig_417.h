@@ -1,0 +1,66 @@
+/* craig_417: Arm of exercise 4.17 in Craig, Introduction to Robotics
+ *
+ * Inverse kinematics, generated from robots/craig_417.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/craig_417.yaml. The formulas and where they come from:
+ * craig_417.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef CRAIG_417_H
+#define CRAIG_417_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CRAIG_417_DOF = 4, /* joints */
+    CRAIG_417_ROWS = 2 /* branches */
+};
+
+/* What a row of craig_417_ik holds. */
+enum {
+    /* joint values */
+    CRAIG_417_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    CRAIG_417_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    CRAIG_417_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    CRAIG_417_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    CRAIG_417_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const craig_417_branches[2];
+
+/* The pose T of the joint values q. */
+void craig_417_fk(const double q[4], double T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void craig_417_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -CRAIG_417_INVALID_POSE. */
+int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns CRAIG_417_OK or CRAIG_417_FREE_JOINT, or, with NaN in q,
+ * minus CRAIG_417_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* craig_417_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,503 @@
+"""craig_417: Arm of exercise 4.17 in Craig, Introduction to Robotics.
+
+Inverse kinematics, generated from robots/craig_417.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/craig_417.yaml. The formulas and where they come from: craig_417.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "craig_417"
+DOF = 4
+JOINT_TYPES = "RRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left",
+    "right",
+)
+MAX_SOLUTIONS = 2
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+sqrt2 = 1.4142135623730951  # square root of 2
+d4 = 1.0  # joint offset 4 [m]
+a3 = 1.0  # link length 4 [m]
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+free_limit_squared2 = 9e-24  # square of a length that fixes no angle [m^2]
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 3.0000000000000004e-05  # a pose may be rounded by this [m]
+k1 = 0.5  # 1 / 2
+k2 = 0.7071067811865476  # sqrt2 * 1 / 2
+k3 = 0.5000000000000001  # (sqrt2 * 1 / 2)^2
+k4 = 1.4142135623731953e-13  # reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack)
+k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
+k6 = 2.0  # d3 + d4 [m]
+k7 = 2.8284271247461903  # sqrt2 * (d3 + d4) [m]
+f1 = 0.7071067811865476  # 1 / 2 * sqrt2
+g1 = 0.7071067811865476  # 1 / 2 * sqrt2
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (4,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2 * f1
+    v2 = s1 * s2 * f1
+    T33_ = c2 * f1
+    v3 = s1 * f1
+    T13_ = v1 - v3
+    v4 = c1 * f1
+    T23_ = v2 + v4
+    v5 = v1 + v3
+    v6 = v4 - v2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - v5 * s3
+    x3_y = x2_y * c3 + v6 * s3
+    v7 = s2 * c3 + T33_ * s3
+    v8 = v5 * c3 + x2_x * s3
+    y3_y = v6 * c3 - x2_y * s3
+    y3_z = s2 * s3 - T33_ * c3
+    T14_ = T13_ + x3_x * a3 + T13_ * d4
+    T24_ = T23_ + x3_y * a3 + T23_ * d4
+    T34_ = T33_ - v7 * a3 + T33_ * d4
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    T11_ = x3_x * c4 - v8 * s4
+    T21_ = x3_y * c4 + y3_y * s4
+    T31_ = y3_z * s4 - v7 * c4
+    T22_ = y3_y * c4 - x3_y * s4
+    T32_ = y3_z * c4 + v7 * s4
+    T[0, 0] = T11_
+    T[0, 1] = -(v8 * c4 + x3_x * s4)
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    v1 = c1 * s2 * g1
+    v2 = s1 * s2 * g1
+    J63 = c2 * g1
+    v3 = s1 * g1
+    J43 = v1 - v3
+    v4 = c1 * g1
+    J53 = v2 + v4
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4
+    p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4
+    p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4
+    J12 = c1 * p4_z
+    J22 = s1 * p4_z
+    v5 = J21 - J43
+    v6 = p4_y - J53
+    v7 = p4_z - J63
+    J13 = J53 * v7 - J63 * v6
+    J23 = J63 * v5 - J43 * v7
+    J33 = J43 * v6 - J53 * v5
+    J[0, 0] = -p4_y
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[2, 1] = -(s1 * p4_y + c1 * J21)
+    J[2, 2] = J33
+    J[3, 1] = -s1
+    J[3, 2] = J43
+    J[3, 3] = J43
+    J[4, 1] = c1
+    J[4, 2] = J53
+    J[4, 3] = J53
+    J[5, 0] = 1.0
+    J[5, 2] = J63
+    J[5, 3] = J63
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 3]
+    N1 = T13 * T13 + T23 * T23
+    D1 = N1 - k3
+    free1 = N1 <= free_limit_squared
+    apart1 = k5 < D1
+    if not (-k4 <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = T13 * k2
+    v2 = T23 * k2
+
+    # theta2, type 3: U1[3, 3] and U1[1, 3]
+    v3 = k2 * T33
+    v4 = v3 * v3
+
+    # theta34, type 3: U1[2, 2] and U1[2, 1]
+    v9 = seed[2] + seed[3]
+
+    # theta3, type 3: U2[3, 4] and U2[1, 4]
+    v10 = 2.0 * T24
+    v11 = 2.0 * T14
+    v13 = -1.0 if k2 < 0.0 else 1.0
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T13 * root1)
+        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T23 * root1))
+        q1 = math.atan2(s1, c1)
+
+        # theta2
+        S2 = k2 * root1
+        w2 = math.sqrt(S2 * S2 + v4)
+        free2 = w2 <= free_limit_squared
+        v5 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else v3 * v5
+        s2 = math.sin(seed[1]) if free2 else -(S2 * v5)
+        q2 = math.atan2(s2, c2)
+
+        # theta34
+        v6 = k2 * (T21 * c1 - T11 * s1)
+        v7 = k2 * (T22 * c1 - T12 * s1)
+        w34 = math.sqrt(v6 * v6 + v7 * v7)
+        free34 = w34 <= free_limit_squared
+        v8 = 1.0 / (1.0 if free34 else w34)
+        c34 = math.cos(v9) if free34 else v7 * v8
+        s34 = math.sin(v9) if free34 else v6 * v8
+
+        # theta3
+        v12 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7))
+        C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - s2 * T34)
+        w3 = math.sqrt(v12 * v12 + C3 * C3)
+        free3 = w3 <= free_limit_squared2
+        factor3 = v13 / (1.0 if free3 else w3)
+        c3 = math.cos(seed[2]) if free3 else C3 * factor3
+        s3 = math.sin(seed[2]) if free3 else -(v12 * factor3)
+        q3 = math.atan2(s3, c3)
+
+        # is the pose one that the arm can take?
+        v14 = c1 * c2
+        v15 = 2.0 * v14
+        v16 = c1 * s2
+        v17 = sqrt2 * (s1 + v16)
+        v18 = c1 * k6
+        v19 = s1 * k6
+        v20 = s1 * c2
+        v21 = 2.0 * v20
+        v22 = s1 * s2
+        v23 = sqrt2 * (c1 - v22)
+        v24 = 2.0 * s2
+        v25 = sqrt2 * c2
+        if (
+            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v25)))) <=
+            pose_slack1 and (abs(T33 - k1 * v25) <= pose_slack and (abs(T32 - k1 * (s34 * v24 - c34
+            * v25)) <= pose_slack and (abs(T31 + k1 * (c34 * v24 + s34 * v25)) <= pose_slack and
+            (abs(T24 - k1 * (c3 * (2.0 * (a3 * v20)) + s3 * (a3 * v23) + sqrt2 * (v18 + s2 * v19)))
+            <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1 + v22))) <= pose_slack and (abs(T22 - k1
+            * (c34 * v23 - s34 * v21)) <= pose_slack and (abs(T21 - k1 * (c34 * v21 + s34 * v23)) <=
+            pose_slack and (abs(T14 - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v17) + sqrt2 * (s2
+            * v18 - v19))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v16 - s1))) <= pose_slack
+            and (abs(T11 - k1 * (c34 * v15 - s34 * v17)) <= pose_slack and abs(T12 + k1 * (c34 * v17
+            + s34 * v15)) <= pose_slack)))))))))))
+        ):
+            continue  # the arm can't take this pose
+
+        # joint values
+        q4 = _wrap(math.atan2(s34, c34) - q3)
+        free3_ = free34 or free3
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        status[row] = FREE_JOINT if free1 or free2 or free3_ or free34 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(2):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(4):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(2):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(4):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (2, 4), NaN where there is no solution; float64.
+        status: Filled with what each row holds (2,); uint8.
+        q_seed: Values for joints that are indeterminate (4,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (2, 4) and status (2,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (4,); zeros without it.
+    """
+    q = np.empty((2, 4))
+    status = np.empty(2, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (4,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (4,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 4) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 2, 4))
+    status = np.empty((len(T), 2), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

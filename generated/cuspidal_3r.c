@@ -1,0 +1,343 @@
+/* cuspidal_3r: Cuspidal 3R arm
+ *
+ * Inverse kinematics, generated from robots/cuspidal_3r.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
+ * cuspidal_3r.md.
+ */
+#include "cuspidal_3r.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+static double horner(const double p[5], double t)
+{
+    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/* The root between two points with values of unlike sign. */
+static double bracketed(const double p[5], double low, double high, double at_low)
+{
+    double t = 0.5 * (low + high);
+    for (int k = 0; k < 100; k++) {
+        const double value = horner(p, t);
+        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
+        if ((value < 0.0) == (at_low < 0.0))
+            low = t;
+        else
+            high = t;
+        double following = slope != 0.0 ? t - value / slope : low;
+        if (!(low < following && following < high))
+            following = 0.5 * (low + high);
+        if (fabs(following - t) <= 2e-16 * fabs(t))
+            return following;
+        t = following;
+    }
+    return t;
+}
+
+/* Roots of a polynomial that is monotone between neighbouring edges. */
+static int between(const double p[5], const double *edges, int count, double tolerance, double *found)
+{
+    int roots = 0;
+    double before = edges[0], at_before = horner(p, edges[0]);
+    for (int k = 1; k < count; k++) {
+        const double edge = edges[k], size = 1.0 + edge * edge;
+        double value = horner(p, edge);
+        if (k < count - 1 && fabs(value) <= tolerance * size * size)
+            value = 0.0;
+        if (at_before * value < 0.0)
+            found[roots++] = bracketed(p, before, edge, at_before);
+        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
+            found[roots++] = edge;
+        before = edge;
+        at_before = value;
+    }
+    return roots;
+}
+
+/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the second. */
+static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
+{
+    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
+    double best = -1.0, apart = 0.0, edges[5], extrema[4];
+    int count = 0;
+    x[0] = x[1] = x[2] = x[3] = NAN;
+    if (!(size > 0.0 && isfinite(size)))
+        return;
+    for (int k = 0; k < 16; k++) {
+        const double at = turn * k / 16, c = cos(at), s = sin(at);
+        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
+        if (value > best) {
+            best = value;
+            apart = at;
+        }
+    }
+    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
+    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
+    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
+    const double lead = a0 - u1 + u2;
+    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
+        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
+    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
+    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
+    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
+    edges[0] = -bound;
+    if (square > 0.0) {
+        edges[1] = -half - sqrt(square);
+        edges[2] = -half + sqrt(square);
+        count = 2;
+    }
+    edges[count + 1] = bound;
+    count = between(slope, edges, count + 2, 0.0, extrema);
+    for (int k = 0; k < count; k++)
+        edges[k + 1] = extrema[k];
+    edges[count + 1] = bound;
+    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    for (int k = 0; k < count; k++) {
+        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
+        const double ca = cos(at), sa = sin(at);
+        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
+        if (fabs(rate) > 0.0001 * size)
+            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
+        at -= turn * ceil(at / turn - 0.5);
+        int place = k;
+        for (; place > 0 && x[place - 1] > at; place--)
+            x[place] = x[place - 1];
+        x[place] = at;
+    }
+}
+
+static const double a1 = 1.0; /* link length 1 [m] */
+static const double d2 = 1.0; /* joint offset 2 [m] */
+static const double a2 = 2.0; /* link length 2 [m] */
+static const double a3 = 1.5; /* link length 3 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 3.025e-23;
+static const double k1 = 3.0; /* a3 * a2 [m^2] */
+static const double k2 = 6.0; /* 2 * a3 * a2 [m^2] */
+static const double k3 = -6.25; /* a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2] */
+static const double k4 = 0.5; /* 1 / 2 */
+static const double k5 = 12.0; /* 2 * 2 * a3 * a2 [m^2] */
+static const double k6 = 36.0; /* (2 * a3 * a2)^2 [m^4] */
+static const double k7 = 81.0; /* (a3 * 2 * a3 * a2)^2 [m^6] */
+static const double k8 = 0.1111111111111111; /* 1 / (a3 * 2 * a3 * a2) [m^-3] */
+
+const char *const cuspidal_3r_branches[4] = {
+    "root1", "root2", "root3", "root4",
+};
+
+static const double lowest[3] = { -INFINITY, -INFINITY, -INFINITY };
+static const double highest[3] = { INFINITY, INFINITY, INFINITY };
+
+void cuspidal_3r_fk(const double q[3], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double T13_ = c1 * s2;
+    const double T23_ = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double T11_ = x2_x * c3 - s1 * s3;
+    const double T21_ = x2_y * c3 + c1 * s3;
+    const double v1 = s2 * c3;
+    const double T22_ = c1 * c3 - x2_y * s3;
+    const double T32_ = s2 * s3;
+    const double T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3;
+    const double T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3;
+    T[0] = T11_; T[1] = -(s1 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = -v1; T[9] = T32_; T[10] = c2; T[11] = -(s2 * a2 + v1 * a3);
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void cuspidal_3r_jacobian(const double q[3], double J[18])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double J43 = c1 * s2;
+    const double J53 = s1 * s2;
+    const double v1 = s2 * a2;
+    const double p2_x = p1_x + x2_x * a2 - s1 * d2;
+    const double p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double J21 = p2_x + (x2_x * c3 - s1 * s3) * a3;
+    const double p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3;
+    const double v2 = v1 + s2 * c3 * a3;
+    const double v3 = J21 - p2_x;
+    const double v4 = p3_y - p2_y;
+    const double v5 = v1 - v2;
+    const double J13 = J53 * v5 - c2 * v4;
+    const double J23 = c2 * v3 - J43 * v5;
+    const double J33 = J43 * v4 - J53 * v3;
+    J[0] = -p3_y; J[1] = -(c1 * v2); J[2] = J13;
+    J[3] = J21; J[4] = -(s1 * v2); J[5] = J23;
+    J[6] = 0.0; J[7] = -(s1 * (p3_y - p1_y) + c1 * (J21 - p1_x)); J[8] = J33;
+    J[9] = 0.0; J[10] = -s1; J[11] = J43;
+    J[12] = 0.0; J[13] = c1; J[14] = J53;
+    J[15] = 1.0; J[16] = 0.0; J[17] = c2;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    return 1;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[3], double q[4][3], unsigned char status[4])
+{
+    const double T14 = T[3];
+    const double T24 = T[7];
+    const double T34 = T[11];
+
+    /* theta1, type 9: U1[3, 4] and the squared length of column 4 of U1 */
+    const double v1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k3));
+    const double R2c1 = 2.0 * (T14 * a1);
+    const double R2s1 = 2.0 * (T24 * a1);
+    const double v2 = k1 + a3 * v1;
+    const double v3 = a3 * R2c1 + k1 * T24;
+    const double v4 = a3 * R2s1 - k1 * T14;
+    const double v5 = k2 * T24;
+    const double v6 = k2 * T14;
+    const double v7 = v3 * v3;
+    const double v8 = v4 * v4;
+    const double v9 = 2.0 * v2;
+    const double v10 = v5 * v5;
+    const double v11 = v6 * v6;
+    double x1_roots[4];
+    circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3 * v9 + v5 * k5), v6 *
+        k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6, x1_roots);
+
+    for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
+        const double x1 = x1_roots[i1];
+        /* theta1 */
+        if (!(x1 <= 4.0)) continue; /* out of reach */
+        const double c1 = cos(x1);
+        const double s1 = sin(x1);
+
+        /* theta3, type 3: U1[3, 4] and the squared length of column 4 of U1 */
+        const double v12 = d2 + (T14 * s1 - T24 * c1);
+        const double c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v12) * k8;
+        const double q3 = atan2(-(k2 * v12 * k8), c3);
+
+        /* theta2, type 3: U1[1, 4] and U1[2, 4] */
+        const double Y1_2 = a2 + a3 * c3;
+        const double v13 = T34 * Y1_2;
+        const double C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1);
+        const double w2 = sqrt(v13 * v13 + C2 * C2);
+        const int free2 = w2 <= free_limit_squared2;
+        const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
+        const double s2 = free2 ? sin(seed[1]) : -(v13 * factor2);
+        const double q2 = atan2(s2, c2);
+        const int row = i1;
+        q[row][0] = x1;
+        q[row][1] = q2;
+        q[row][2] = q3;
+        status[row] = (free2) ? CUSPIDAL_3R_FREE_JOINT : CUSPIDAL_3R_OK;
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double value, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int cuspidal_3r_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+{
+    static const double zeros[3] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 4; row++) {
+        status[row] = valid ? CUSPIDAL_3R_UNREACHABLE : CUSPIDAL_3R_INVALID_POSE;
+        for (int i = 0; i < 3; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -CUSPIDAL_3R_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 4; row++) {
+        if (status[row] == CUSPIDAL_3R_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 3; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = CUSPIDAL_3R_OUT_OF_LIMITS;
+        }
+        count += status[row] != CUSPIDAL_3R_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
+{
+    double all[4][3], least = HUGE_VAL;
+    unsigned char status[4];
+    int result = -CUSPIDAL_3R_UNREACHABLE;
+    for (int i = 0; i < 3; i++)
+        q[i] = NAN;
+    if (cuspidal_3r_ik(T, q_seed, all, status) < 0)
+        return -CUSPIDAL_3R_INVALID_POSE;
+    for (int row = 0; row < 4; row++) {
+        double distance = 0.0;
+        if (status[row] == CUSPIDAL_3R_OUT_OF_LIMITS && result < 0)
+            result = -CUSPIDAL_3R_OUT_OF_LIMITS;
+        if (status[row] != CUSPIDAL_3R_OK && status[row] != CUSPIDAL_3R_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 3; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 3; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)cuspidal_3r_ik(T + 16 * k, NULL, (double (*)[3])(q + 12 * k), status + 4 * k);
+}

@@ -1,0 +1,67 @@
+/* cuspidal_3r: Cuspidal 3R arm
+ *
+ * Inverse kinematics, generated from robots/cuspidal_3r.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
+ * cuspidal_3r.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
+ */
+#ifndef CUSPIDAL_3R_H
+#define CUSPIDAL_3R_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CUSPIDAL_3R_DOF = 3, /* joints */
+    CUSPIDAL_3R_ROWS = 4 /* branches */
+};
+
+/* What a row of cuspidal_3r_ik holds. */
+enum {
+    /* joint values */
+    CUSPIDAL_3R_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    CUSPIDAL_3R_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    CUSPIDAL_3R_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    CUSPIDAL_3R_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    CUSPIDAL_3R_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const cuspidal_3r_branches[4];
+
+/* The pose T of the joint values q. */
+void cuspidal_3r_fk(const double q[3], double T[16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void cuspidal_3r_jacobian(const double q[3], double J[18]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -CUSPIDAL_3R_INVALID_POSE. */
+int cuspidal_3r_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns CUSPIDAL_3R_OK or CUSPIDAL_3R_FREE_JOINT, or, with NaN in q,
+ * minus CUSPIDAL_3R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* cuspidal_3r_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
+void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

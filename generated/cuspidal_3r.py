@@ -1,0 +1,479 @@
+"""cuspidal_3r: Cuspidal 3R arm.
+
+Inverse kinematics, generated from robots/cuspidal_3r.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
+cuspidal_3r.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "cuspidal_3r"
+DOF = 3
+JOINT_TYPES = "RRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "root1",
+    "root2",
+    "root3",
+    "root4",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a1 = 1.0  # link length 1 [m]
+d2 = 1.0  # joint offset 2 [m]
+a2 = 2.0  # link length 2 [m]
+a3 = 1.5  # link length 3 [m]
+free_limit_squared2 = 3.025e-23  # square of a length that fixes no angle [m^2]
+k1 = 3.0  # a3 * a2 [m^2]
+k2 = 6.0  # 2 * a3 * a2 [m^2]
+k3 = -6.25  # a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2]
+k4 = 0.5  # 1 / 2
+k5 = 12.0  # 2 * 2 * a3 * a2 [m^2]
+k6 = 36.0  # (2 * a3 * a2)^2 [m^4]
+k7 = 81.0  # (a3 * 2 * a3 * a2)^2 [m^6]
+k8 = 0.1111111111111111  # 1 / (a3 * 2 * a3 * a2) [m^-3]
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+
+
+@njit(cache=True, error_model="numpy")
+def _horner(p0, p1, p2, p3, p4, t):
+    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
+
+
+@njit(cache=True, error_model="numpy")
+def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
+    """The root between two points with values of unlike sign."""
+    t = 0.5 * (low + high)
+    for _ in range(100):
+        value = _horner(p0, p1, p2, p3, p4, t)
+        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
+        if (value < 0.0) == (at_low < 0.0):
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope != 0.0 else low
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - t) <= 2e-16 * abs(t):
+            return following
+        t = following
+    return t
+
+
+@njit(cache=True, error_model="numpy")
+def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
+    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
+    roots = 0
+    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
+    for k in range(1, count):
+        edge = edges[k]
+        value = _horner(p0, p1, p2, p3, p4, edge)
+        size = 1.0 + edge * edge
+        if k < count - 1 and abs(value) <= tolerance * size * size:
+            value = 0.0
+        if at_before * value < 0.0:
+            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
+            roots += 1
+        elif value == 0.0 and k < count - 1:
+            found[roots] = edge
+            roots += 1
+        before, at_before = edge, value
+    return roots
+
+
+@njit(cache=True, error_model="numpy")
+def _circle_roots(a0, a1, b1, a2, b2):
+    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+
+    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+    leading coefficient; its roots lie between those of its derivative, those between the
+    roots of the second derivative.
+    """
+    x = np.full(4, math.nan)
+    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
+    if not (size > 0.0 and math.isfinite(size)):
+        return x
+    best, apart = -1.0, 0.0
+    for k in range(16):
+        at = _TURN * k / 16
+        c, s = math.cos(at), math.sin(at)
+        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
+        if value > best:
+            best, apart = value, at
+    c, s = -math.cos(apart), -math.sin(apart)
+    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
+    c2, s2 = c * c - s * s, 2.0 * c * s
+    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
+    lead = a0 - u1 + u2
+    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
+    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
+    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
+    edges, extrema = np.empty(5), np.empty(4)
+    half = 0.25 * p3
+    square = half * half - p2 / 6.0
+    count = 0
+    edges[0] = -bound
+    if square > 0.0:
+        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
+        count = 2
+    edges[count + 1] = bound
+    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
+    for k in range(count):
+        edges[k + 1] = extrema[k]
+    edges[count + 1] = bound
+    tolerance = 1e-13 * size / abs(lead)
+    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
+    for k in range(count):
+        at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
+        c, s = math.cos(at), math.sin(at)
+        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+        if abs(slope) > 0.0001 * size:
+            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
+        at -= _TURN * math.ceil(at / _TURN - 0.5)
+        place = k
+        while place > 0 and x[place - 1] > at:
+            x[place] = x[place - 1]
+            place -= 1
+        x[place] = at
+    return x
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (3,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    T13_ = c1 * s2
+    T23_ = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    T11_ = x2_x * c3 - s1 * s3
+    T21_ = x2_y * c3 + c1 * s3
+    v1 = s2 * c3
+    T22_ = c1 * c3 - x2_y * s3
+    T32_ = s2 * s3
+    T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3
+    T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3
+    T[0, 0] = T11_
+    T[0, 1] = -(s1 * c3 + x2_x * s3)
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = -v1
+    T[2, 1] = T32_
+    T[2, 2] = c2
+    T[2, 3] = -(s2 * a2 + v1 * a3)
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 3))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    J43 = c1 * s2
+    J53 = s1 * s2
+    v1 = s2 * a2
+    p2_x = p1_x + x2_x * a2 - s1 * d2
+    p2_y = p1_y + x2_y * a2 + c1 * d2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    J21 = p2_x + (x2_x * c3 - s1 * s3) * a3
+    p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3
+    v2 = v1 + s2 * c3 * a3
+    v3 = J21 - p2_x
+    v4 = p3_y - p2_y
+    v5 = v1 - v2
+    J13 = J53 * v5 - c2 * v4
+    J23 = c2 * v3 - J43 * v5
+    J33 = J43 * v4 - J53 * v3
+    J[0, 0] = -p3_y
+    J[0, 1] = -(c1 * v2)
+    J[0, 2] = J13
+    J[1, 0] = J21
+    J[1, 1] = -(s1 * v2)
+    J[1, 2] = J23
+    J[2, 1] = -(s1 * (p3_y - p1_y) + c1 * (J21 - p1_x))
+    J[2, 2] = J33
+    J[3, 1] = -s1
+    J[3, 2] = J43
+    J[4, 1] = c1
+    J[4, 2] = J53
+    J[5, 0] = 1.0
+    J[5, 2] = c2
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 9: U1[3, 4] and the squared length of column 4 of U1
+    v1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k3))
+    R2c1 = 2.0 * (T14 * a1)
+    R2s1 = 2.0 * (T24 * a1)
+    v2 = k1 + a3 * v1
+    v3 = a3 * R2c1 + k1 * T24
+    v4 = a3 * R2s1 - k1 * T14
+    v5 = k2 * T24
+    v6 = k2 * T14
+    v7 = v3 * v3
+    v8 = v4 * v4
+    v9 = 2.0 * v2
+    v10 = v5 * v5
+    v11 = v6 * v6
+    x1_roots = _circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3 * v9 + v5
+        * k5), v6 * k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6)
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x1 = x1_roots[i1]
+        # theta1
+        if not (x1 <= 4.0):
+            continue  # out of reach
+        c1 = math.cos(x1)
+        s1 = math.sin(x1)
+
+        # theta3, type 3: U1[3, 4] and the squared length of column 4 of U1
+        v12 = d2 + (T14 * s1 - T24 * c1)
+        c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v12) * k8
+        q3 = math.atan2(-(k2 * v12 * k8), c3)
+
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
+        Y1_2 = a2 + a3 * c3
+        v13 = T34 * Y1_2
+        C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1)
+        w2 = math.sqrt(v13 * v13 + C2 * C2)
+        free2 = w2 <= free_limit_squared2
+        factor2 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else C2 * factor2
+        s2 = math.sin(seed[1]) if free2 else -(v13 * factor2)
+        q2 = math.atan2(s2, c2)
+        row = i1
+        q[row, 0] = x1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        status[row] = FREE_JOINT if free2 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(4):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(3):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(4):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(3):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (4, 3), NaN where there is no solution; float64.
+        status: Filled with what each row holds (4,); uint8.
+        q_seed: Values for joints that are indeterminate (3,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (4, 3) and status (4,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (3,); zeros without it.
+    """
+    q = np.empty((4, 3))
+    status = np.empty(4, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (3,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(4) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 4, 3) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 4, 3))
+    status = np.empty((len(T), 4), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

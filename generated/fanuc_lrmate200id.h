@@ -1,0 +1,67 @@
+/* fanuc_lrmate200id: Fanuc LR Mate 200iD
+ *
+ * Inverse kinematics, generated from robots/fanuc_lrmate200id.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/fanuc_lrmate200id.yaml. The formulas and where they come from:
+ * fanuc_lrmate200id.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef FANUC_LRMATE200ID_H
+#define FANUC_LRMATE200ID_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    FANUC_LRMATE200ID_DOF = 6, /* joints */
+    FANUC_LRMATE200ID_ROWS = 8 /* branches */
+};
+
+/* What a row of fanuc_lrmate200id_ik holds. */
+enum {
+    /* joint values */
+    FANUC_LRMATE200ID_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    FANUC_LRMATE200ID_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    FANUC_LRMATE200ID_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    FANUC_LRMATE200ID_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    FANUC_LRMATE200ID_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const fanuc_lrmate200id_branches[8];
+
+/* The pose T of the joint values q. */
+void fanuc_lrmate200id_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void fanuc_lrmate200id_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -FANUC_LRMATE200ID_INVALID_POSE. */
+int fanuc_lrmate200id_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns FANUC_LRMATE200ID_OK or FANUC_LRMATE200ID_FREE_JOINT, or, with NaN in q,
+ * minus FANUC_LRMATE200ID_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* fanuc_lrmate200id_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void fanuc_lrmate200id_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* gantry_wrist: Gantry with a spherical wrist
+ *
+ * Inverse kinematics, generated from robots/gantry_wrist.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/gantry_wrist.yaml. The formulas and where they come from:
+ * gantry_wrist.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef GANTRY_WRIST_H
+#define GANTRY_WRIST_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    GANTRY_WRIST_DOF = 6, /* joints */
+    GANTRY_WRIST_ROWS = 2 /* branches */
+};
+
+/* What a row of gantry_wrist_ik holds. */
+enum {
+    /* joint values */
+    GANTRY_WRIST_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    GANTRY_WRIST_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    GANTRY_WRIST_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    GANTRY_WRIST_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    GANTRY_WRIST_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const gantry_wrist_branches[2];
+
+/* The pose T of the joint values q. */
+void gantry_wrist_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void gantry_wrist_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -GANTRY_WRIST_INVALID_POSE. */
+int gantry_wrist_ik(
+    const double T[16], const double *q_seed, double q[2][6], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns GANTRY_WRIST_OK or GANTRY_WRIST_FREE_JOINT, or, with NaN in q,
+ * minus GANTRY_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* gantry_wrist_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 6, status n x 2. */
+void gantry_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* olson_pprrrr: Olson PPRRRR arm
+ *
+ * Inverse kinematics, generated from robots/olson_pprrrr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/olson_pprrrr.yaml. The formulas and where they come from:
+ * olson_pprrrr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef OLSON_PPRRRR_H
+#define OLSON_PPRRRR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    OLSON_PPRRRR_DOF = 6, /* joints */
+    OLSON_PPRRRR_ROWS = 4 /* branches */
+};
+
+/* What a row of olson_pprrrr_ik holds. */
+enum {
+    /* joint values */
+    OLSON_PPRRRR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    OLSON_PPRRRR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    OLSON_PPRRRR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    OLSON_PPRRRR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    OLSON_PPRRRR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const olson_pprrrr_branches[4];
+
+/* The pose T of the joint values q. */
+void olson_pprrrr_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void olson_pprrrr_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -OLSON_PPRRRR_INVALID_POSE. */
+int olson_pprrrr_ik(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns OLSON_PPRRRR_OK or OLSON_PPRRRR_FREE_JOINT, or, with NaN in q,
+ * minus OLSON_PPRRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* olson_pprrrr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 6, status n x 4. */
+void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

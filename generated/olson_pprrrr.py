@@ -1,0 +1,576 @@
+"""olson_pprrrr: Olson PPRRRR arm.
+
+Inverse kinematics, generated from robots/olson_pprrrr.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/olson_pprrrr.yaml. The formulas and where they come from:
+olson_pprrrr.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "olson_pprrrr"
+DOF = 6
+JOINT_TYPES = "PPRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "noflip3-noflip5",
+    "noflip3-flip5",
+    "flip3-noflip5",
+    "flip3-flip5",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d3 = 1.0  # joint offset 3 [m]
+a4 = 4.0  # link length 5 [m]
+d6 = 2.0  # joint offset 6 [m]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
+reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
+merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([0.02040816326530612, 0.02040816326530612, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    T = np.zeros((4, 4))
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = s3 * c4
+    v1 = c3 * c4
+    v2 = s3 * s4
+    y4_y = c3 * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 - v2 * s5
+    x5_y = y4_y * s5 - v1 * c5
+    x5_z = s4 * c5 + c4 * s5
+    T13_ = v2 * c5 + x4_x * s5
+    y5_y = y4_y * c5 + v1 * s5
+    y5_z = c4 * c5 - s4 * s5
+    T14_ = q[1] + x4_x * a4 + T13_ * d6
+    T24_ = q[0] - v1 * a4 - y5_y * d6
+    T34_ = d3 + s4 * a4 - y5_z * d6
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 - c3 * s6
+    T21_ = x5_y * c6 - s3 * s6
+    T31_ = x5_z * c6
+    T[0, 0] = T11_
+    T[0, 1] = -(c3 * c6 + x5_x * s6)
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(s3 * c6 + x5_y * s6)
+    T[1, 2] = -y5_y
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = -(x5_z * s6)
+    T[2, 2] = -y5_z
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 6))
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = s3 * c4
+    v1 = c3 * c4
+    p5_x = q[1] + x4_x * a4
+    p5_y = q[0] - v1 * a4
+    p5_z = d3 + s4 * a4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    J46 = s3 * s4 * c5 + x4_x * s5
+    y5_y = c3 * s4 * c5 + v1 * s5
+    y5_z = c4 * c5 - s4 * s5
+    p6_x = p5_x + J46 * d6
+    p6_y = p5_y - y5_y * d6
+    p6_z = p5_z - y5_z * d6
+    J23 = p6_x - q[1]
+    v2 = p6_y - q[0]
+    v3 = p6_z - d3
+    J24 = c3 * v3
+    J34 = s3 * J23 - c3 * v2
+    v4 = p6_z - p5_z
+    J25 = c3 * v4
+    J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y)
+    J[0, 1] = 1.0
+    J[0, 2] = -v2
+    J[0, 3] = -(s3 * v3)
+    J[0, 4] = -(s3 * v4)
+    J[1, 0] = 1.0
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[3, 3] = -c3
+    J[3, 4] = -c3
+    J[3, 5] = J46
+    J[4, 3] = -s3
+    J[4, 4] = -s3
+    J[4, 5] = -y5_y
+    J[5, 2] = 1.0
+    J[5, 5] = -y5_z
+    return J
+
+
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+
+    The first value of a row that is _LOST says how far it is from a solution (negative).
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta3, type 2: U3[2, 3]
+    w3 = math.sqrt(T23 * T23 + T13 * T13)
+    free3 = w3 <= free_limit
+    divisor3 = 1.0 if free3 else w3
+
+    # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
+    X5 = T33 * a4
+    v1 = T33 * d6 + (d3 - T34)
+    v2 = X5 * X5
+    v3 = v1 * v1
+    v4 = 2.0 * abs(v1)
+    v5 = merge_slack1 * (v4 + merge_slack1)
+    v6 = X5 * v1
+
+    # r2, type 1: U0 A6^-1 [1, 4]
+    wx = T14 - T13 * d6
+
+    # r1, type 1: U0 A6^-1 [2, 4]
+    wy = T24 - T23 * d6
+
+    for i1 in range(2):  # noflip3, flip3
+        e1 = 1.0 - 2.0 * i1
+        # theta3
+        if e1 < 0.0 and free3:
+            continue  # both signs give the same
+        factor3 = e1 / divisor3
+        c3 = math.cos(seed[2]) if free3 else T23 * factor3
+        s3 = math.sin(seed[2]) if free3 else -(T13 * factor3)
+        q3 = math.atan2(s3, c3)
+        root3 = w3 * e1
+
+        # theta45, type 3: U3[3, 3] and U3[1, 3]
+        theta45 = math.atan2(-root3, -T33)
+
+        # theta6, type 3: U3[2, 2] and U3[2, 1]
+        Z1_6 = T12 * c3 + T22 * s3
+        Z2_6 = T11 * c3 + T21 * s3
+        q6 = math.atan2(-Z2_6, -Z1_6)
+
+        # theta5
+        Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6)
+        N5 = v2 + Y5 * Y5
+        D5 = N5 - v3
+        free5 = N5 <= free_limit_squared2
+        apart5 = v5 < D5
+        if not (-(reach_slack1 * (v4 + reach_slack1)) <= D5):
+            if free3:
+                status[2 * i1] = _LOST + 3
+                q[2 * i1, 0] = D5
+            continue  # out of reach
+        w5 = math.sqrt(D5 if apart5 else 0.0)
+        inverse5 = 1.0 / (1.0 if free5 else N5)
+        v7 = Y5 * v1
+
+        # r2
+        v9 = s3 * a4
+
+        # r1
+        v10 = c3 * a4
+
+        for i2 in range(2):  # noflip5, flip5
+            e2 = 1.0 - 2.0 * i2
+            # theta5
+            if e2 < 0.0 and (free5 or not apart5):
+                continue  # both signs give the same
+            root5 = w5 * e2
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v7 + X5 * root5))
+            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v6)
+            q5 = math.atan2(s5, c5)
+
+            # r2
+            v8 = T33 * c5 + root3 * s5
+            r2 = wx + v8 * v9
+
+            # r1
+            r1 = wy - v8 * v10
+
+            # joint values
+            q4 = _wrap(theta45 - q5)
+            row = 2 * i1 + i2
+            q[row, 0] = r1
+            q[row, 1] = r2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = FREE_JOINT if free3 or free5 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    if not _REVOLUTE[joint]:
+        return value
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _attempt(pose, seed, lost, moved, q, status):
+    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+
+    The row and the joint that had been chosen are the two numbers of `lost`.
+    """
+    row, joint = lost
+    for i in range(4):
+        status[i] = UNREACHABLE
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, q, status)
+    seed[joint] = kept
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@njit(cache=True, error_model="numpy")
+def _summit(pose, seed, lost, low, high, q, status):
+    """Golden section for a move between low and high that serves; NaN if there is none."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, lost, low + third, q, status)
+        right = _attempt(pose, seed, lost, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
+        else:
+            low += third
+    return math.nan
+
+
+@njit(cache=True, error_model="numpy")
+def _serving(pose, seed, lost, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
+    between two of them, bisection the end that is nearest to the seed.
+    """
+    step, nearest = _TURN / 64, math.nan
+    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, lost, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest):
+            nearest = outer
+    return nearest
+
+
+@njit(cache=True, error_model="numpy")
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    lost = row, status[row] - _LOST - 1
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    moved = _serving(pose, seed, lost, trial, result)
+    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    status[row] = result[row] if served else UNREACHABLE
+    for i in range(6):
+        q[row, i] = trial[row, i] if served else math.nan
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(4):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(4):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. Memory is allocated only where a free
+    joint can't keep the seed's value.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (4, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (4,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (4, 6) and status (4,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+    """
+    q = np.empty((4, 6))
+    status = np.empty(4, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(4) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 4, 6) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 4, 6))
+    status = np.empty((len(T), 4), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -1,0 +1,67 @@
+/* prismatic_2_wrist: Slide as joint 2, spherical wrist
+ *
+ * Inverse kinematics, generated from robots/prismatic_2_wrist.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/prismatic_2_wrist.yaml. The formulas and where they come from:
+ * prismatic_2_wrist.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef PRISMATIC_2_WRIST_H
+#define PRISMATIC_2_WRIST_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    PRISMATIC_2_WRIST_DOF = 6, /* joints */
+    PRISMATIC_2_WRIST_ROWS = 8 /* branches */
+};
+
+/* What a row of prismatic_2_wrist_ik holds. */
+enum {
+    /* joint values */
+    PRISMATIC_2_WRIST_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PRISMATIC_2_WRIST_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PRISMATIC_2_WRIST_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PRISMATIC_2_WRIST_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PRISMATIC_2_WRIST_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const prismatic_2_wrist_branches[8];
+
+/* The pose T of the joint values q. */
+void prismatic_2_wrist_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void prismatic_2_wrist_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PRISMATIC_2_WRIST_INVALID_POSE. */
+int prismatic_2_wrist_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PRISMATIC_2_WRIST_OK or PRISMATIC_2_WRIST_FREE_JOINT, or, with NaN in q,
+ * minus PRISMATIC_2_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* prismatic_2_wrist_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void prismatic_2_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

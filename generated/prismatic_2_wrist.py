@@ -1,0 +1,596 @@
+"""prismatic_2_wrist: Slide as joint 2, spherical wrist.
+
+Inverse kinematics, generated from robots/prismatic_2_wrist.yaml and
+templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/prismatic_2_wrist.yaml. The formulas and where they come from:
+prismatic_2_wrist.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "prismatic_2_wrist"
+DOF = 6
+JOINT_TYPES = "RPRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left-noflip3-noflip4",
+    "left-noflip3-flip4",
+    "left-flip3-noflip4",
+    "left-flip3-flip4",
+    "right-noflip3-noflip4",
+    "right-noflip3-flip4",
+    "right-flip3-noflip4",
+    "right-flip3-flip4",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a1 = 0.1  # link length 1 [m]
+cat2 = 0.9800665778412416  # cosine of the angle of joint 2
+sat2 = 0.19866933079506122  # sine of the angle of joint 2
+a2 = 0.15  # link length 2 [m]
+d3 = 0.1  # joint offset 3 [m]
+a3 = 0.08  # link length 3 [m]
+d4 = 0.43  # joint offset 4 [m]
+d6 = 0.08  # joint offset 6 [m]
+free_limit_squared2 = 1.5375999999999999e-24  # square of a length that fixes no angle [m^2]
+reach_slack1 = 1.24e-13  # rounding at the boundary of the workspace [m]
+merge_slack1 = 1.24e-14  # nearer to that boundary two branches are one [m]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.4138869064318786  # d1 * cat2 + (a1 * sat2 + d3) [m]
+k2 = 0.08542781224187632  # d4 * sat2 [m]
+k3 = 0.0158935464636049  # a3 * sat2 [m]
+k4 = 0.36820625816486496  # d1 + (cat2 * d3 - a2 * sat2) [m]
+k5 = 0.007550515923624042  # (d4 * sat2)^2 + (a3 * sat2)^2 [m^2]
+k6 = 132.4412808495909  # 1 / ((d4 * sat2)^2 + (a3 * sat2)^2) [m^-2]
+f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
+f2 = 0.09800665778412417  # d3 * cat2 [m]
+g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
+g2 = 0.09800665778412417  # d3 * cat2 [m]
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    x2_x = c1 * cat2
+    x2_y = s1 * cat2
+    z2_x = c1 * sat2
+    z2_y = s1 * sat2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - s1 * s3
+    x3_y = x2_y * c3 + c1 * s3
+    v1 = sat2 * c3
+    v2 = s1 * c3 + x2_x * s3
+    z3_y = c1 * c3 - x2_y * s3
+    z3_z = sat2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 - z2_x * s4
+    x4_y = x3_y * c4 - z2_y * s4
+    v3 = v1 * c4 + cat2 * s4
+    z4_x = z2_x * c4 + x3_x * s4
+    z4_y = z2_y * c4 + x3_y * s4
+    y5_z = v1 * s4 - cat2 * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 - v2 * s5
+    x5_y = x4_y * c5 + z3_y * s5
+    x5_z = z3_z * s5 - v3 * c5
+    v4 = v2 * c5 + x4_x * s5
+    T23_ = z3_y * c5 - x4_y * s5
+    T33_ = z3_z * c5 + v3 * s5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 - z4_x * s6
+    T21_ = x5_y * c6 - z4_y * s6
+    T31_ = x5_z * c6 + y5_z * s6
+    T32_ = y5_z * c6 - x5_z * s6
+    T14_ = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6
+    T24_ = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + T23_ * d6
+    T34_ = f1 - v1 * a3 + f2 + z3_z * d4 + T33_ * d6
+    T[0, 0] = T11_
+    T[0, 1] = -(z4_x * c6 + x5_x * s6)
+    T[0, 2] = -v4
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(z4_y * c6 + x5_y * s6)
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    x2_x = c1 * cat2
+    x2_y = s1 * cat2
+    J43 = c1 * sat2
+    J53 = s1 * sat2
+    p2_x = c1 * a1 - s1 * q[1] + x2_x * a2
+    p2_y = s1 * a1 + c1 * q[1] + x2_y * a2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - s1 * s3
+    x3_y = x2_y * c3 + c1 * s3
+    v1 = sat2 * c3
+    v2 = s1 * c3 + x2_x * s3
+    J54 = c1 * c3 - x2_y * s3
+    J64 = sat2 * s3
+    p3_x = p2_x + x3_x * a3 + J43 * d3
+    p3_y = p2_y + x3_y * a3 + J53 * d3
+    p3_z = g1 - v1 * a3 + g2
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    J45 = J43 * c4 + x3_x * s4
+    J55 = J53 * c4 + x3_y * s4
+    p4_x = p3_x - v2 * d4
+    p4_y = p3_y + J54 * d4
+    p4_z = p3_z + J64 * d4
+    J65 = cat2 * c4 - v1 * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    v3 = v2 * c5 + (x3_x * c4 - J43 * s4) * s5
+    J56 = J54 * c5 - (x3_y * c4 - J53 * s4) * s5
+    J66 = J64 * c5 + (v1 * c4 + cat2 * s4) * s5
+    J21 = p4_x - v3 * d6
+    p6_y = p4_y + J56 * d6
+    p6_z = p4_z + J66 * d6
+    v4 = J21 - p2_x
+    v5 = p6_y - p2_y
+    v6 = p6_z - g1
+    J13 = J53 * v6 - cat2 * v5
+    J23 = cat2 * v4 - J43 * v6
+    J33 = J43 * v5 - J53 * v4
+    v7 = J21 - p3_x
+    v8 = p6_y - p3_y
+    v9 = p6_z - p3_z
+    J14 = J54 * v9 - J64 * v8
+    J24 = J64 * v7 + v2 * v9
+    v10 = J21 - p4_x
+    v11 = p6_y - p4_y
+    v12 = p6_z - p4_z
+    J15 = J55 * v12 - J65 * v11
+    J25 = J65 * v10 - J45 * v12
+    J35 = J45 * v11 - J55 * v10
+    J16 = J56 * v12 - J66 * v11
+    J26 = J66 * v10 + v3 * v12
+    J[0, 0] = -p6_y
+    J[0, 1] = -s1
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = c1
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[2, 2] = J33
+    J[2, 3] = -(v2 * v8 + J54 * v7)
+    J[2, 4] = J35
+    J[2, 5] = -(v3 * v11 + J56 * v10)
+    J[3, 2] = J43
+    J[3, 3] = -v2
+    J[3, 4] = J45
+    J[3, 5] = -v3
+    J[4, 2] = J53
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 2] = cat2
+    J[5, 3] = J64
+    J[5, 4] = J65
+    J[5, 5] = J66
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U2 A6^-1 [3, 4]
+    wy = T24 - T23 * d6
+    v1 = wy * sat2
+    wx = T14 - d6 * T13
+    v2 = sat2 * wx
+    wz = T34 - d6 * T33
+    Z1 = wz * cat2 - k1
+    N1 = v1 * v1 + v2 * v2
+    D1 = N1 - Z1 * Z1
+    free1 = N1 <= free_limit_squared2
+    v3 = 2.0 * abs(Z1)
+    apart1 = merge_slack1 * (v3 + merge_slack1) < D1
+    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v4 = v1 * Z1
+    v5 = v2 * Z1
+
+    # theta3, type 2: U0 A6^-1 [3, 4]
+    Z3 = wz - k4
+    D3 = k5 - Z3 * Z3
+    v6 = 2.0 * abs(Z3)
+    apart3 = merge_slack1 * (merge_slack1 + v6) < D3
+    if not (-(reach_slack1 * (reach_slack1 + v6)) <= D3):
+        return  # out of reach
+    w3 = math.sqrt(D3 if apart3 else 0.0)
+    v7 = k2 * Z3
+    v8 = k3 * Z3
+
+    # theta4, type 2: U4[3, 3]
+    v12 = T13 * cat2
+    v13 = T23 * cat2
+    v14 = sat2 * T33
+    v17 = sat2 * T13
+    v18 = T23 * sat2
+    v19 = T33 * cat2
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v22 = sat2 * T12
+    v23 = T22 * sat2
+    v24 = T32 * cat2
+    v26 = T12 * cat2
+    v27 = T22 * cat2
+    v28 = sat2 * T32
+    v32 = sat2 * T11
+    v33 = T21 * sat2
+    v34 = T31 * cat2
+    v36 = T11 * cat2
+    v37 = T21 * cat2
+    v38 = sat2 * T31
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v1 * root1 - v5)
+        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v4 + v2 * root1))
+        q1 = math.atan2(s1, c1)
+
+        # r2, type 1: U1 A6^-1 [3, 4]
+        v11 = c1 * -wy + wx * s1
+
+        # theta4
+        v15 = c1 * v12 + s1 * v13 - v14
+        v16 = T13 * s1 - T23 * c1
+        v20 = c1 * v17 + s1 * v18 + v19
+        v21 = v20 * v20
+
+        # theta6
+        v25 = c1 * v22 + s1 * v23 + v24
+        v29 = c1 * v26 + s1 * v27 - v28
+        v30 = T22 * c1 - T12 * s1
+        v35 = c1 * v32 + s1 * v33 + v34
+        v39 = c1 * v36 + s1 * v37 - v38
+        v40 = T21 * c1 - T11 * s1
+
+        for i2 in range(2):  # noflip3, flip3
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            root3 = w3 * e2
+            v9 = k6 * (v8 + k2 * root3)
+            s3 = k6 * (v7 - k3 * root3)
+            q3 = math.atan2(s3, -v9)
+
+            # r2
+            v10 = a3 * s3 - d4 * v9
+
+            # theta4
+            X4 = v9 * v15 - s3 * -v16
+            w4 = math.sqrt(X4 * X4 + v21)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
+
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = v9 * v16 - s3 * v15
+
+            # theta6
+            v31 = s3 * v30 - v9 * v29
+            v41 = s3 * v40 - v9 * v39
+
+            for i3 in range(2):  # noflip4, flip4
+                e3 = 1.0 - 2.0 * i3
+                # theta4
+                if e3 < 0.0 and free4:
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v20 * factor4)
+                q4 = math.atan2(s4, c4)
+
+                # theta5
+                q5 = math.atan2(-(w4 * e3), c5)
+
+                # theta6
+                q6 = math.atan2(-(c4 * v35 + s4 * v41), -(c4 * v25 + s4 * v31))
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = -(v10 + v11)
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free4 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    if not _REVOLUTE[joint]:
+        return value
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+    """
+    q = np.empty((8, 6))
+    status = np.empty(8, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 8, 6))
+    status = np.empty((len(T), 8), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -1,0 +1,71 @@
+/* scorbot_pointing: Scorbot (tool axis only)
+ *
+ * Inverse kinematics, generated from robots/scorbot_pointing.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scorbot_pointing.yaml. The formulas and where they come from:
+ * scorbot_pointing.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] and the tool's z axis T[0:3, 2] counts; other entries are ignored.
+ */
+#ifndef SCORBOT_POINTING_H
+#define SCORBOT_POINTING_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    SCORBOT_POINTING_DOF = 5, /* joints */
+    SCORBOT_POINTING_FREE = 1, /* free joints, whose values the caller gives: 5 */
+    SCORBOT_POINTING_ROWS = 4 /* branches */
+};
+
+/* What a row of scorbot_pointing_ik holds. */
+enum {
+    /* joint values */
+    SCORBOT_POINTING_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCORBOT_POINTING_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCORBOT_POINTING_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCORBOT_POINTING_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose, or a free joint's value is not finite */
+    SCORBOT_POINTING_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const scorbot_pointing_branches[4];
+
+/* The pose T of the joint values q. */
+void scorbot_pointing_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void scorbot_pointing_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCORBOT_POINTING_INVALID_POSE. */
+int scorbot_pointing_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
+    unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCORBOT_POINTING_OK or SCORBOT_POINTING_FREE_JOINT, or, with NaN in q,
+ * minus SCORBOT_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int scorbot_pointing_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[5], double q[5]);
+
+/* scorbot_pointing_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
+ * q n x 4 x 5, status n x 4. */
+void scorbot_pointing_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,619 @@
+/* spherical_wrist_general_arm: Spherical wrist on a general arm
+ *
+ * Inverse kinematics, generated from robots/spherical_wrist_general_arm.yaml and
+ * templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/spherical_wrist_general_arm.yaml. The formulas and where they come
+ * from: spherical_wrist_general_arm.md.
+ */
+#include "spherical_wrist_general_arm.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+static double horner(const double p[5], double t)
+{
+    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/* The root between two points with values of unlike sign. */
+static double bracketed(const double p[5], double low, double high, double at_low)
+{
+    double t = 0.5 * (low + high);
+    for (int k = 0; k < 100; k++) {
+        const double value = horner(p, t);
+        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
+        if ((value < 0.0) == (at_low < 0.0))
+            low = t;
+        else
+            high = t;
+        double following = slope != 0.0 ? t - value / slope : low;
+        if (!(low < following && following < high))
+            following = 0.5 * (low + high);
+        if (fabs(following - t) <= 2e-16 * fabs(t))
+            return following;
+        t = following;
+    }
+    return t;
+}
+
+/* Roots of a polynomial that is monotone between neighbouring edges. */
+static int between(const double p[5], const double *edges, int count, double tolerance, double *found)
+{
+    int roots = 0;
+    double before = edges[0], at_before = horner(p, edges[0]);
+    for (int k = 1; k < count; k++) {
+        const double edge = edges[k], size = 1.0 + edge * edge;
+        double value = horner(p, edge);
+        if (k < count - 1 && fabs(value) <= tolerance * size * size)
+            value = 0.0;
+        if (at_before * value < 0.0)
+            found[roots++] = bracketed(p, before, edge, at_before);
+        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
+            found[roots++] = edge;
+        before = edge;
+        at_before = value;
+    }
+    return roots;
+}
+
+/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the second. */
+static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
+{
+    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
+    double best = -1.0, apart = 0.0, edges[5], extrema[4];
+    int count = 0;
+    x[0] = x[1] = x[2] = x[3] = NAN;
+    if (!(size > 0.0 && isfinite(size)))
+        return;
+    for (int k = 0; k < 16; k++) {
+        const double at = turn * k / 16, c = cos(at), s = sin(at);
+        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
+        if (value > best) {
+            best = value;
+            apart = at;
+        }
+    }
+    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
+    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
+    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
+    const double lead = a0 - u1 + u2;
+    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
+        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
+    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
+    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
+    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
+    edges[0] = -bound;
+    if (square > 0.0) {
+        edges[1] = -half - sqrt(square);
+        edges[2] = -half + sqrt(square);
+        count = 2;
+    }
+    edges[count + 1] = bound;
+    count = between(slope, edges, count + 2, 0.0, extrema);
+    for (int k = 0; k < count; k++)
+        edges[k + 1] = extrema[k];
+    edges[count + 1] = bound;
+    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    for (int k = 0; k < count; k++) {
+        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
+        const double ca = cos(at), sa = sin(at);
+        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
+        if (fabs(rate) > 0.0001 * size)
+            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
+        at -= turn * ceil(at / turn - 0.5);
+        int place = k;
+        for (; place > 0 && x[place - 1] > at; place--)
+            x[place] = x[place - 1];
+        x[place] = at;
+    }
+}
+
+static const double d1 = 0.3; /* joint offset 1 [m] */
+static const double a1 = 0.15; /* link length 1 [m] */
+static const double ca1 = 0.3420201433256688; /* cosine of twist 1 */
+static const double sa1 = 0.9396926207859083; /* sine of twist 1 */
+static const double d2 = 0.12; /* joint offset 2 [m] */
+static const double a2 = 0.42; /* link length 2 [m] */
+static const double ca2 = 0.8191520442889918; /* cosine of twist 2 */
+static const double sa2 = 0.573576436351046; /* sine of twist 2 */
+static const double d3 = 0.08; /* joint offset 3 [m] */
+static const double a3 = 0.11; /* link length 3 [m] */
+static const double ca3 = 0.6427876096865394; /* cosine of twist 3 */
+static const double sa3 = 0.766044443118978; /* sine of twist 3 */
+static const double d4 = 0.37; /* joint offset 4 [m] */
+static const double d6 = 0.09; /* joint offset 6 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 2.6895999999999994e-24;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+static const double k1 = 0.43938504177070503; /* sa3 * sa2 */
+static const double k2 = 0.16257246545516085; /* d4 * sa3 * sa2 [m] */
+static const double k3 = 0.1314173917092386; /* 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) [m^2] */
+static const double k4 = 0.06309340799861507; /* a3 * sa2 [m] */
+static const double k5 = -0.22294419500171073; /* 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) [m^2] */
+static const double k6 = 0.4829582968126144; /* d1 * ca1 + (d2 + ca2 * (d3 + d4 * ca3)) [m] */
+static const double k7 = 0.6; /* 2 * d1 [m] */
+/* d1^2 + (a1^2 - (d2 * (d2 + 2 * ca2 * (d3 + d4 * ca3)) + (a2^2 + (d3 * (d3 + 2 * d4 * ca3) + (a3^2
+ * + d4^2))))) [m^2] */
+static const double k8 = -0.33423756740902244;
+static const double k9 = 0.5; /* 1 / 2 */
+/* (d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) - a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3
+ * * a2))^2 [m^6] */
+static const double k10 = 0.001983469418708643;
+/* 1 / (a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) - d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 *
+ * sa3 * a2)) [m^-3] */
+static const double k11 = 22.453665346937772;
+static const double k12 = 0.28343644395402184; /* d4 * sa3 [m] */
+static const double k13 = 0.6275068715971331; /* sa3 * ca2 */
+static const double k14 = 0.23217754249093925; /* d4 * sa3 * ca2 [m] */
+static const double k15 = 0.0901067248717891; /* a3 * ca2 [m] */
+static const double k16 = 0.18230061071109027; /* sa2 * (d3 + d4 * ca3) [m] */
+static const double k17 = 0.3686878264946124; /* ca3 * sa2 */
+static const double k18 = 0.5265407845183633; /* ca3 * ca2 */
+static const double f1 = 0.04104241719908026; /* d2 * ca1 [m] */
+static const double f2 = 0.19617469496901113; /* sa2 * ca1 */
+static const double f3 = 0.2801664995932356; /* ca2 * ca1 */
+static const double g1 = 0.04104241719908026; /* d2 * ca1 [m] */
+static const double g2 = 0.19617469496901113; /* sa2 * ca1 */
+static const double g3 = 0.2801664995932356; /* ca2 * ca1 */
+
+const char *const spherical_wrist_general_arm_branches[8] = {
+    "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
+    "root4-noflip", "root4-flip",
+};
+
+static const double lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+void spherical_wrist_general_arm_fk(const double q[6], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double v1 = s1 * ca1;
+    const double y1_y = c1 * ca1;
+    const double z1_x = s1 * sa1;
+    const double v2 = c1 * sa1;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = sa1 * c2;
+    const double y2_x = z1_x * sa2 - v3 * ca2;
+    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double y2_z = v5 * ca2 + f2;
+    const double z2_x = v3 * sa2 + z1_x * ca2;
+    const double v6 = v4 * sa2 + v2 * ca2;
+    const double z2_z = f3 - v5 * sa2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3;
+    const double v8 = y2_y * c3 - x2_y * s3;
+    const double v9 = y2_z * c3 - x2_z * s3;
+    const double y3_x = v7 * ca3 - z2_x * sa3;
+    const double y3_y = v8 * ca3 + v6 * sa3;
+    const double y3_z = v9 * ca3 - z2_z * sa3;
+    const double z3_x = v7 * sa3 + z2_x * ca3;
+    const double z3_y = v8 * sa3 - v6 * ca3;
+    const double z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4;
+    const double x4_y = x3_y * c4 + y3_y * s4;
+    const double x4_z = x3_z * c4 + y3_z * s4;
+    const double y5_x = y3_x * c4 - x3_x * s4;
+    const double y5_y = y3_y * c4 - x3_y * s4;
+    const double y5_z = y3_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5;
+    const double x5_y = x4_y * c5 + z3_y * s5;
+    const double x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = z3_x * c5 - x4_x * s5;
+    const double T23_ = z3_y * c5 - x4_y * s5;
+    const double T33_ = z3_z * c5 - x4_z * s5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6;
+    const double T21_ = x5_y * c6 + y5_y * s6;
+    const double T31_ = x5_z * c6 + y5_z * s6;
+    const double T12_ = y5_x * c6 - x5_x * s6;
+    const double T22_ = y5_y * c6 - x5_y * s6;
+    const double T32_ = y5_z * c6 - x5_z * s6;
+    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ *
+        d6;
+    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6;
+    const double T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void spherical_wrist_general_arm_jacobian(const double q[6], double J[36])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
+    const double v1 = s1 * ca1;
+    const double y1_y = c1 * ca1;
+    const double J42 = s1 * sa1;
+    const double v2 = c1 * sa1;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = sa1 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
+    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
+    const double p2_z = d1 + x2_z * a2 + g1;
+    const double y2_x = J42 * sa2 - v3 * ca2;
+    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double y2_z = v5 * ca2 + g2;
+    const double J43 = v3 * sa2 + J42 * ca2;
+    const double v6 = v4 * sa2 + v2 * ca2;
+    const double J63 = g3 - v5 * sa2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3;
+    const double v8 = y2_y * c3 - x2_y * s3;
+    const double v9 = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
+    const double p3_y = p2_y + x3_y * a3 - v6 * d3;
+    const double p3_z = p2_z + x3_z * a3 + J63 * d3;
+    const double y3_x = v7 * ca3 - J43 * sa3;
+    const double y3_y = v8 * ca3 + v6 * sa3;
+    const double y3_z = v9 * ca3 - J63 * sa3;
+    const double J44 = v7 * sa3 + J43 * ca3;
+    const double J54 = v8 * sa3 - v6 * ca3;
+    const double J64 = v9 * sa3 + J63 * ca3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double p4_x = p3_x + J44 * d4;
+    const double p4_y = p3_y + J54 * d4;
+    const double p4_z = p3_z + J64 * d4;
+    const double J45 = x3_x * s4 - y3_x * c4;
+    const double J55 = x3_y * s4 - y3_y * c4;
+    const double J65 = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5;
+    const double J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5;
+    const double J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5;
+    const double J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6;
+    const double p6_z = p4_z + J66 * d6;
+    const double v10 = J21 - p1_x;
+    const double v11 = p6_y - p1_y;
+    const double v12 = p6_z - d1;
+    const double J22 = ca1 * v10 - J42 * v12;
+    const double J32 = J42 * v11 + v2 * v10;
+    const double v13 = J21 - p2_x;
+    const double v14 = p6_y - p2_y;
+    const double v15 = p6_z - p2_z;
+    const double J23 = J63 * v13 - J43 * v15;
+    const double J33 = J43 * v14 + v6 * v13;
+    const double v16 = J21 - p3_x;
+    const double v17 = p6_y - p3_y;
+    const double v18 = p6_z - p3_z;
+    const double J14 = J54 * v18 - J64 * v17;
+    const double J24 = J64 * v16 - J44 * v18;
+    const double J34 = J44 * v17 - J54 * v16;
+    const double v19 = J21 - p4_x;
+    const double v20 = p6_y - p4_y;
+    const double v21 = p6_z - p4_z;
+    const double J15 = J55 * v21 - J65 * v20;
+    const double J25 = J65 * v19 - J45 * v21;
+    const double J35 = J45 * v20 - J55 * v19;
+    const double J16 = J56 * v21 - J66 * v20;
+    const double J26 = J66 * v19 - J46 * v21;
+    const double J36 = J46 * v20 - J56 * v19;
+    J[0] = -p6_y; J[1] = -(v2 * v12 + ca1 * v11); J[2] = -(v6 * v15 + J63 * v14); J[3] = J14;
+    J[4] = J15; J[5] = J16;
+    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
+    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
+    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = J44; J[22] = J45; J[23] = J46;
+    J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = J54; J[28] = J55; J[29] = J56;
+    J[30] = 1.0; J[31] = ca1; J[32] = J63; J[33] = J64; J[34] = J65; J[35] = J66;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1, type 9: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1 */
+    const double wz = T34 - T33 * d6;
+    const double v1 = wz * ca1 - k6;
+    const double wy = T24 - d6 * T23;
+    const double R1c1 = wy * sa1;
+    const double wx = T14 - d6 * T13;
+    const double v2 = sa1 * wx;
+    const double v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8));
+    const double R2c1 = 2.0 * (wx * a1);
+    const double R2s1 = 2.0 * (wy * a1);
+    const double v4 = k4 * v3 + k5 * -v1;
+    const double v5 = k4 * R2c1 - k5 * R1c1;
+    const double v6 = k4 * R2s1 + k5 * v2;
+    const double v7 = k3 * -v1 + k2 * v3;
+    const double v8 = k3 * R1c1 - k2 * R2c1;
+    const double v9 = k3 * v2 + k2 * R2s1;
+    const double v10 = v5 * v5;
+    const double v11 = v6 * v6;
+    const double v12 = 2.0 * v4;
+    const double v13 = v8 * v8;
+    const double v14 = v9 * v9;
+    const double v15 = 2.0 * v7;
+    double x1_roots[4];
+    circle_roots(v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10, v8 * v15 - v5 *
+        v12, -(v6 * v12 + v9 * v15), k9 * (v10 - v11) + k9 * (v13 - v14), v5 * v6 - v8 * v9,
+        x1_roots);
+
+    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
+    const double v16 = ca1 * wy;
+    const double v17 = ca1 * wx;
+    const double v18 = sa1 * (wz - d1);
+
+    /* theta4, type 2: U4[3, 3] */
+    const double v20 = ca1 * T23;
+    const double v21 = ca1 * T13;
+    const double v22 = T33 * sa1;
+    const double v26 = T23 * sa1;
+    const double v27 = sa1 * T13;
+    const double v28 = T33 * ca1;
+
+    /* theta6, type 3: U1[3, 1] and U1[3, 2] */
+    const double v39 = T21 * sa1;
+    const double v40 = sa1 * T11;
+    const double v41 = T31 * ca1;
+    const double v42 = T22 * sa1;
+    const double v43 = sa1 * T12;
+    const double v44 = T32 * ca1;
+
+    for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
+        const double x1 = x1_roots[i1];
+        /* theta1 */
+        if (!(x1 <= 4.0)) continue; /* out of reach */
+        const double c1 = cos(x1);
+        const double s1 = sin(x1);
+
+        /* theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1 */
+        const double Z1_3 = v1 + (v2 * s1 - R1c1 * c1);
+        const double Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1);
+        const double s3 = (k3 * Z1_3 - k2 * Z2_3) * k11;
+        const double c3 = (k4 * Z2_3 - k5 * Z1_3) * k11;
+        const double q3 = atan2(s3, c3);
+
+        /* theta2 */
+        const double X1_2 = a2 + (a3 * c3 - s3 * k12);
+        const double Y1_2 = c3 * k14 + s3 * k15 - k16;
+        const double Z1_2 = v18 - (s1 * v17 - c1 * v16);
+        const double Z2_2 = wx * c1 + wy * s1 - a1;
+        const double S2 = X1_2 * Z1_2 - Y1_2 * Z2_2;
+        const double C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2;
+        const double w2 = sqrt(S2 * S2 + C2 * C2);
+        const int free2 = w2 <= free_limit_squared2;
+        const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
+        const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+        const double q2 = atan2(s2, c2);
+
+        /* theta4 */
+        const double v19 = T13 * c1 + T23 * s1;
+        const double v23 = s1 * v21 - c1 * v20 - v22;
+        const double v24 = ca2 * v23;
+        const double v25 = ca2 * v19;
+        const double v29 = s1 * v27 - c1 * v26 + v28;
+        const double v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 *
+            v29);
+        const double v31 = sa2 * v23;
+        const double v32 = sa2 * v19;
+        const double v33 = sa2 * v29;
+        const double v34 = ca2 * v29;
+        const double v35 = c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3
+            * v25) - s3 * (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33));
+        const double w4 = sqrt(v30 * v30 + v35 * v35);
+        const int free4 = w4 <= free_limit;
+        const double divisor4 = free4 ? 1.0 : w4;
+
+        /* theta5, type 3: U4[2, 3] and U4[1, 3] */
+        const double c5 = c3 * (sa3 * v33) + ca3 * v34 - (c2 * (c3 * (sa3 * v24) + s3 * (sa3 * v19)
+            - ca3 * v31) + s2 * (c3 * (sa3 * v25) - s3 * (sa3 * v23) - ca3 * v32));
+
+        /* theta6 */
+        const double v36 = c3 * k17 - k13;
+        const double v37 = sa2 * s3;
+        const double v38 = k1 * c3 + k18;
+        const double Z1_6 = s1 * v40 - c1 * v39 + v41;
+        const double Z2_6 = s1 * v43 - c1 * v42 + v44;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta4 */
+            if (e2 < 0.0 && free4) continue; /* both signs give the same */
+            const double factor4 = e2 / divisor4;
+            const double c4 = free4 ? cos(seed[3]) : v30 * factor4;
+            const double s4 = free4 ? sin(seed[3]) : -(v35 * factor4);
+            const double q4 = atan2(s4, c4);
+            const double root4 = w4 * e2;
+
+            /* theta5 */
+            const double q5 = atan2(-root4, c5);
+
+            /* theta6 */
+            const double X1_6 = c4 * v36 - s4 * v37;
+            const double Y1_6 = c5 * (c4 * v37 + s4 * v36) - root4 * v38;
+            const double S6 = X1_6 * Z1_6 - Y1_6 * Z2_6;
+            const double C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6;
+            const double w6 = sqrt(S6 * S6 + C6 * C6);
+            const int free6 = w6 <= free_limit_squared;
+            const double factor6 = 1.0 / (free6 ? 1.0 : w6);
+            const double c6 = free6 ? cos(seed[5]) : C6 * factor6;
+            const double s6 = free6 ? sin(seed[5]) : S6 * factor6;
+            const double q6 = atan2(s6, c6);
+            const int row = 2 * i1 + i2;
+            q[row][0] = x1;
+            q[row][1] = q2;
+            q[row][2] = q3;
+            q[row][3] = q4;
+            q[row][4] = q5;
+            q[row][5] = q6;
+            status[row] = (free2 || free4 || free6) ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT :
+                SPHERICAL_WRIST_GENERAL_ARM_OK;
+        }
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double value, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int spherical_wrist_general_arm_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    static const double zeros[6] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE : SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
+        }
+        count += status[row] != SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+{
+    double all[8][6], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    if (spherical_wrist_general_arm_ik(T, q_seed, all, status) < 0)
+        return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS && result < 0)
+            result = -SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
+        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_OK && status[row] != SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void spherical_wrist_general_arm_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)spherical_wrist_general_arm_ik(
+            T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+}

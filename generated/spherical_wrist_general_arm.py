@@ -1,0 +1,787 @@
+"""spherical_wrist_general_arm: Spherical wrist on a general arm.
+
+Inverse kinematics, generated from robots/spherical_wrist_general_arm.yaml and
+templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/spherical_wrist_general_arm.yaml. The formulas and where they come
+from: spherical_wrist_general_arm.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "spherical_wrist_general_arm"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "root1-noflip",
+    "root1-flip",
+    "root2-noflip",
+    "root2-flip",
+    "root3-noflip",
+    "root3-flip",
+    "root4-noflip",
+    "root4-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.3  # joint offset 1 [m]
+a1 = 0.15  # link length 1 [m]
+ca1 = 0.3420201433256688  # cosine of twist 1
+sa1 = 0.9396926207859083  # sine of twist 1
+d2 = 0.12  # joint offset 2 [m]
+a2 = 0.42  # link length 2 [m]
+ca2 = 0.8191520442889918  # cosine of twist 2
+sa2 = 0.573576436351046  # sine of twist 2
+d3 = 0.08  # joint offset 3 [m]
+a3 = 0.11  # link length 3 [m]
+ca3 = 0.6427876096865394  # cosine of twist 3
+sa3 = 0.766044443118978  # sine of twist 3
+d4 = 0.37  # joint offset 4 [m]
+d6 = 0.09  # joint offset 6 [m]
+free_limit_squared2 = 2.6895999999999994e-24  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+k1 = 0.43938504177070503  # sa3 * sa2
+k2 = 0.16257246545516085  # d4 * sa3 * sa2 [m]
+k3 = 0.1314173917092386  # 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) [m^2]
+k4 = 0.06309340799861507  # a3 * sa2 [m]
+k5 = -0.22294419500171073  # 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) [m^2]
+k6 = 0.4829582968126144  # d1 * ca1 + (d2 + ca2 * (d3 + d4 * ca3)) [m]
+k7 = 0.6  # 2 * d1 [m]
+# d1^2 + (a1^2 - (d2 * (d2 + 2 * ca2 * (d3 + d4 * ca3)) + (a2^2 + (d3 * (d3 + 2 * d4 * ca3) + (a3^2
+# + d4^2))))) [m^2]
+k8 = -0.33423756740902244
+k9 = 0.5  # 1 / 2
+# (d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) - a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3 *
+# a2))^2 [m^6]
+k10 = 0.001983469418708643
+# 1 / (a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) - d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 *
+# sa3 * a2)) [m^-3]
+k11 = 22.453665346937772
+k12 = 0.28343644395402184  # d4 * sa3 [m]
+k13 = 0.6275068715971331  # sa3 * ca2
+k14 = 0.23217754249093925  # d4 * sa3 * ca2 [m]
+k15 = 0.0901067248717891  # a3 * ca2 [m]
+k16 = 0.18230061071109027  # sa2 * (d3 + d4 * ca3) [m]
+k17 = 0.3686878264946124  # ca3 * sa2
+k18 = 0.5265407845183633  # ca3 * ca2
+f1 = 0.04104241719908026  # d2 * ca1 [m]
+f2 = 0.19617469496901113  # sa2 * ca1
+f3 = 0.2801664995932356  # ca2 * ca1
+g1 = 0.04104241719908026  # d2 * ca1 [m]
+g2 = 0.19617469496901113  # sa2 * ca1
+g3 = 0.2801664995932356  # ca2 * ca1
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+
+
+@njit(cache=True, error_model="numpy")
+def _horner(p0, p1, p2, p3, p4, t):
+    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
+
+
+@njit(cache=True, error_model="numpy")
+def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
+    """The root between two points with values of unlike sign."""
+    t = 0.5 * (low + high)
+    for _ in range(100):
+        value = _horner(p0, p1, p2, p3, p4, t)
+        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
+        if (value < 0.0) == (at_low < 0.0):
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope != 0.0 else low
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - t) <= 2e-16 * abs(t):
+            return following
+        t = following
+    return t
+
+
+@njit(cache=True, error_model="numpy")
+def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
+    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
+    roots = 0
+    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
+    for k in range(1, count):
+        edge = edges[k]
+        value = _horner(p0, p1, p2, p3, p4, edge)
+        size = 1.0 + edge * edge
+        if k < count - 1 and abs(value) <= tolerance * size * size:
+            value = 0.0
+        if at_before * value < 0.0:
+            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
+            roots += 1
+        elif value == 0.0 and k < count - 1:
+            found[roots] = edge
+            roots += 1
+        before, at_before = edge, value
+    return roots
+
+
+@njit(cache=True, error_model="numpy")
+def _circle_roots(a0, a1, b1, a2, b2):
+    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+
+    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+    leading coefficient; its roots lie between those of its derivative, those between the
+    roots of the second derivative.
+    """
+    x = np.full(4, math.nan)
+    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
+    if not (size > 0.0 and math.isfinite(size)):
+        return x
+    best, apart = -1.0, 0.0
+    for k in range(16):
+        at = _TURN * k / 16
+        c, s = math.cos(at), math.sin(at)
+        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
+        if value > best:
+            best, apart = value, at
+    c, s = -math.cos(apart), -math.sin(apart)
+    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
+    c2, s2 = c * c - s * s, 2.0 * c * s
+    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
+    lead = a0 - u1 + u2
+    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
+    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
+    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
+    edges, extrema = np.empty(5), np.empty(4)
+    half = 0.25 * p3
+    square = half * half - p2 / 6.0
+    count = 0
+    edges[0] = -bound
+    if square > 0.0:
+        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
+        count = 2
+    edges[count + 1] = bound
+    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
+    for k in range(count):
+        edges[k + 1] = extrema[k]
+    edges[count + 1] = bound
+    tolerance = 1e-13 * size / abs(lead)
+    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
+    for k in range(count):
+        at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
+        c, s = math.cos(at), math.sin(at)
+        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+        if abs(slope) > 0.0001 * size:
+            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
+        at -= _TURN * math.ceil(at / _TURN - 0.5)
+        place = k
+        while place > 0 and x[place - 1] > at:
+            x[place] = x[place - 1]
+            place -= 1
+        x[place] = at
+    return x
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = s1 * ca1
+    y1_y = c1 * ca1
+    z1_x = s1 * sa1
+    v2 = c1 * sa1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = sa1 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = sa1 * c2
+    y2_x = z1_x * sa2 - v3 * ca2
+    y2_y = v4 * ca2 - v2 * sa2
+    y2_z = v5 * ca2 + f2
+    z2_x = v3 * sa2 + z1_x * ca2
+    v6 = v4 * sa2 + v2 * ca2
+    z2_z = f3 - v5 * sa2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    v7 = y2_x * c3 - x2_x * s3
+    v8 = y2_y * c3 - x2_y * s3
+    v9 = y2_z * c3 - x2_z * s3
+    y3_x = v7 * ca3 - z2_x * sa3
+    y3_y = v8 * ca3 + v6 * sa3
+    y3_z = v9 * ca3 - z2_z * sa3
+    z3_x = v7 * sa3 + z2_x * ca3
+    z3_y = v8 * sa3 - v6 * ca3
+    z3_z = v9 * sa3 + z2_z * ca3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + y3_x * s4
+    x4_y = x3_y * c4 + y3_y * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    y5_x = y3_x * c4 - x3_x * s4
+    y5_y = y3_y * c4 - x3_y * s4
+    y5_z = y3_z * c4 - x3_z * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + z3_x * s5
+    x5_y = x4_y * c5 + z3_y * s5
+    x5_z = x4_z * c5 + z3_z * s5
+    T13_ = z3_x * c5 - x4_x * s5
+    T23_ = z3_y * c5 - x4_y * s5
+    T33_ = z3_z * c5 - x4_z * s5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 + y5_x * s6
+    T21_ = x5_y * c6 + y5_y * s6
+    T31_ = x5_z * c6 + y5_z * s6
+    T12_ = y5_x * c6 - x5_x * s6
+    T22_ = y5_y * c6 - x5_y * s6
+    T32_ = y5_z * c6 - x5_z * s6
+    T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ * d6
+    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6
+    T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = s1 * ca1
+    y1_y = c1 * ca1
+    J42 = s1 * sa1
+    v2 = c1 * sa1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = sa1 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = sa1 * c2
+    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_y = p1_y + x2_y * a2 - v2 * d2
+    p2_z = d1 + x2_z * a2 + g1
+    y2_x = J42 * sa2 - v3 * ca2
+    y2_y = v4 * ca2 - v2 * sa2
+    y2_z = v5 * ca2 + g2
+    J43 = v3 * sa2 + J42 * ca2
+    v6 = v4 * sa2 + v2 * ca2
+    J63 = g3 - v5 * sa2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    v7 = y2_x * c3 - x2_x * s3
+    v8 = y2_y * c3 - x2_y * s3
+    v9 = y2_z * c3 - x2_z * s3
+    p3_x = p2_x + x3_x * a3 + J43 * d3
+    p3_y = p2_y + x3_y * a3 - v6 * d3
+    p3_z = p2_z + x3_z * a3 + J63 * d3
+    y3_x = v7 * ca3 - J43 * sa3
+    y3_y = v8 * ca3 + v6 * sa3
+    y3_z = v9 * ca3 - J63 * sa3
+    J44 = v7 * sa3 + J43 * ca3
+    J54 = v8 * sa3 - v6 * ca3
+    J64 = v9 * sa3 + J63 * ca3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    p4_x = p3_x + J44 * d4
+    p4_y = p3_y + J54 * d4
+    p4_z = p3_z + J64 * d4
+    J45 = x3_x * s4 - y3_x * c4
+    J55 = x3_y * s4 - y3_y * c4
+    J65 = x3_z * s4 - y3_z * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5
+    J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5
+    J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5
+    J21 = p4_x + J46 * d6
+    p6_y = p4_y + J56 * d6
+    p6_z = p4_z + J66 * d6
+    v10 = J21 - p1_x
+    v11 = p6_y - p1_y
+    v12 = p6_z - d1
+    J22 = ca1 * v10 - J42 * v12
+    J32 = J42 * v11 + v2 * v10
+    v13 = J21 - p2_x
+    v14 = p6_y - p2_y
+    v15 = p6_z - p2_z
+    J23 = J63 * v13 - J43 * v15
+    J33 = J43 * v14 + v6 * v13
+    v16 = J21 - p3_x
+    v17 = p6_y - p3_y
+    v18 = p6_z - p3_z
+    J14 = J54 * v18 - J64 * v17
+    J24 = J64 * v16 - J44 * v18
+    J34 = J44 * v17 - J54 * v16
+    v19 = J21 - p4_x
+    v20 = p6_y - p4_y
+    v21 = p6_z - p4_z
+    J15 = J55 * v21 - J65 * v20
+    J25 = J65 * v19 - J45 * v21
+    J35 = J45 * v20 - J55 * v19
+    J16 = J56 * v21 - J66 * v20
+    J26 = J66 * v19 - J46 * v21
+    J36 = J46 * v20 - J56 * v19
+    J[0, 0] = -p6_y
+    J[0, 1] = -(v2 * v12 + ca1 * v11)
+    J[0, 2] = -(v6 * v15 + J63 * v14)
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 1] = J42
+    J[3, 2] = J43
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 1] = -v2
+    J[4, 2] = -v6
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 1] = ca1
+    J[5, 2] = J63
+    J[5, 3] = J64
+    J[5, 4] = J65
+    J[5, 5] = J66
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 9: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
+    wz = T34 - T33 * d6
+    v1 = wz * ca1 - k6
+    wy = T24 - d6 * T23
+    R1c1 = wy * sa1
+    wx = T14 - d6 * T13
+    v2 = sa1 * wx
+    v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8))
+    R2c1 = 2.0 * (wx * a1)
+    R2s1 = 2.0 * (wy * a1)
+    v4 = k4 * v3 + k5 * -v1
+    v5 = k4 * R2c1 - k5 * R1c1
+    v6 = k4 * R2s1 + k5 * v2
+    v7 = k3 * -v1 + k2 * v3
+    v8 = k3 * R1c1 - k2 * R2c1
+    v9 = k3 * v2 + k2 * R2s1
+    v10 = v5 * v5
+    v11 = v6 * v6
+    v12 = 2.0 * v4
+    v13 = v8 * v8
+    v14 = v9 * v9
+    v15 = 2.0 * v7
+    x1_roots = _circle_roots(v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10, v8 *
+        v15 - v5 * v12, -(v6 * v12 + v9 * v15), k9 * (v10 - v11) + k9 * (v13 - v14), v5 * v6 - v8 *
+        v9)
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    v16 = ca1 * wy
+    v17 = ca1 * wx
+    v18 = sa1 * (wz - d1)
+
+    # theta4, type 2: U4[3, 3]
+    v20 = ca1 * T23
+    v21 = ca1 * T13
+    v22 = T33 * sa1
+    v26 = T23 * sa1
+    v27 = sa1 * T13
+    v28 = T33 * ca1
+
+    # theta6, type 3: U1[3, 1] and U1[3, 2]
+    v39 = T21 * sa1
+    v40 = sa1 * T11
+    v41 = T31 * ca1
+    v42 = T22 * sa1
+    v43 = sa1 * T12
+    v44 = T32 * ca1
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x1 = x1_roots[i1]
+        # theta1
+        if not (x1 <= 4.0):
+            continue  # out of reach
+        c1 = math.cos(x1)
+        s1 = math.sin(x1)
+
+        # theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
+        Z1_3 = v1 + (v2 * s1 - R1c1 * c1)
+        Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1)
+        s3 = (k3 * Z1_3 - k2 * Z2_3) * k11
+        c3 = (k4 * Z2_3 - k5 * Z1_3) * k11
+        q3 = math.atan2(s3, c3)
+
+        # theta2
+        X1_2 = a2 + (a3 * c3 - s3 * k12)
+        Y1_2 = c3 * k14 + s3 * k15 - k16
+        Z1_2 = v18 - (s1 * v17 - c1 * v16)
+        Z2_2 = wx * c1 + wy * s1 - a1
+        S2 = X1_2 * Z1_2 - Y1_2 * Z2_2
+        C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
+        w2 = math.sqrt(S2 * S2 + C2 * C2)
+        free2 = w2 <= free_limit_squared2
+        factor2 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else C2 * factor2
+        s2 = math.sin(seed[1]) if free2 else S2 * factor2
+        q2 = math.atan2(s2, c2)
+
+        # theta4
+        v19 = T13 * c1 + T23 * s1
+        v23 = s1 * v21 - c1 * v20 - v22
+        v24 = ca2 * v23
+        v25 = ca2 * v19
+        v29 = s1 * v27 - c1 * v26 + v28
+        v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 * v29)
+        v31 = sa2 * v23
+        v32 = sa2 * v19
+        v33 = sa2 * v29
+        v34 = ca2 * v29
+        v35 = (
+            c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3 * v25) - s3 *
+            (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33))
+        )
+        w4 = math.sqrt(v30 * v30 + v35 * v35)
+        free4 = w4 <= free_limit
+        divisor4 = 1.0 if free4 else w4
+
+        # theta5, type 3: U4[2, 3] and U4[1, 3]
+        c5 = (
+            c3 * (sa3 * v33) + ca3 * v34 - (c2 * (c3 * (sa3 * v24) + s3 * (sa3 * v19) - ca3 * v31) +
+            s2 * (c3 * (sa3 * v25) - s3 * (sa3 * v23) - ca3 * v32))
+        )
+
+        # theta6
+        v36 = c3 * k17 - k13
+        v37 = sa2 * s3
+        v38 = k1 * c3 + k18
+        Z1_6 = s1 * v40 - c1 * v39 + v41
+        Z2_6 = s1 * v43 - c1 * v42 + v44
+
+        for i2 in range(2):  # noflip, flip
+            e2 = 1.0 - 2.0 * i2
+            # theta4
+            if e2 < 0.0 and free4:
+                continue  # both signs give the same
+            factor4 = e2 / divisor4
+            c4 = math.cos(seed[3]) if free4 else v30 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v35 * factor4)
+            q4 = math.atan2(s4, c4)
+            root4 = w4 * e2
+
+            # theta5
+            q5 = math.atan2(-root4, c5)
+
+            # theta6
+            X1_6 = c4 * v36 - s4 * v37
+            Y1_6 = c5 * (c4 * v37 + s4 * v36) - root4 * v38
+            S6 = X1_6 * Z1_6 - Y1_6 * Z2_6
+            C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6
+            w6 = math.sqrt(S6 * S6 + C6 * C6)
+            free6 = w6 <= free_limit_squared
+            factor6 = 1.0 / (1.0 if free6 else w6)
+            c6 = math.cos(seed[5]) if free6 else C6 * factor6
+            s6 = math.sin(seed[5]) if free6 else S6 * factor6
+            q6 = math.atan2(s6, c6)
+            row = 2 * i1 + i2
+            q[row, 0] = x1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = FREE_JOINT if free2 or free4 or free6 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+    """
+    q = np.empty((8, 6))
+    status = np.empty(8, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 8, 6))
+    status = np.empty((len(T), 8), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -1,0 +1,605 @@
+"""staubli_tx2_90: Stäubli TX2-90.
+
+Inverse kinematics, generated from robots/staubli_tx2_90.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/staubli_tx2_90.yaml. The formulas and where they come from:
+staubli_tx2_90.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "staubli_tx2_90"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-3.141592653589793, 3.141592653589793),
+    (-2.2689280275926285, 2.5743606466916362),
+    (-2.530727415391778, 2.530727415391778),
+    (-4.71238898038469, 4.71238898038469),
+    (-2.007128639793479, 2.443460952792061),
+    (-4.71238898038469, 4.71238898038469),
+)
+BRANCHES = (
+    "left-down-noflip",
+    "left-down-flip",
+    "left-up-noflip",
+    "left-up-flip",
+    "right-down-noflip",
+    "right-down-flip",
+    "right-up-noflip",
+    "right-up-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.478  # joint offset 1 [m]
+a1 = 0.05  # link length 1 [m]
+d2 = 0.05  # joint offset 2 [m]
+a2 = 0.425  # link length 2 [m]
+d4 = 0.425  # joint offset 4 [m]
+d6 = 0.1  # z of the tool frame [m]
+free_limit_squared2 = 2.3347840000000007e-24  # square of a length that fixes no angle [m^2]
+longest3 = 0.7224999999999999  # square of the longest reach [m^2]
+shortest3 = 0.0  # square of the shortest reach [m^2]
+longest3_reach = 0.7225000000002597  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.7224999999999739  # the longest, where branches merge [m^2]
+shortest3_apart = 2.334784000000001e-28  # the shortest, where branches merge [m^2]
+offset2 = -1.5707963267948966  # offset of joint 2 [rad]
+free_limit = 1e-12  # a length that fixes no angle
+offset4 = 3.141592653589793  # offset of joint 4 [rad]
+offset3 = 1.5707963267948966  # offset of joint 3 [rad]
+offset5 = 3.141592653589793  # offset of joint 5 [rad]
+k1 = 0.0025000000000000005  # d2^2 [m^2]
+k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
+k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
+k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
+k5 = 7.662743501634321  # 1 / ((2 * d4 * a2)^2) [m^-4]
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    v4 = q[2] + offset3
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    x3_x = x2_x * c3 - v2 * s3
+    x3_y = x2_y * c3 - v3 * s3
+    v5 = s2 * c3 + c2 * s3
+    z3_x = v2 * c3 + x2_x * s3
+    z3_y = v3 * c3 + x2_y * s3
+    z3_z = c2 * c3 - s2 * s3
+    v6 = q[3] + offset4
+    c4 = math.cos(v6)
+    s4 = math.sin(v6)
+    x4_x = x3_x * c4 - s1 * s4
+    x4_y = x3_y * c4 + c1 * s4
+    v7 = v5 * c4
+    z4_x = s1 * c4 + x3_x * s4
+    v8 = v5 * s4
+    z4_y = x3_y * s4 - c1 * c4
+    v9 = q[4] + offset5
+    c5 = math.cos(v9)
+    s5 = math.sin(v9)
+    x5_x = x4_x * c5 + z3_x * s5
+    x5_y = x4_y * c5 + z3_y * s5
+    x5_z = z3_z * s5 - v7 * c5
+    v10 = z3_z * c5 + v7 * s5
+    T11_ = x4_x * s5 - z3_x * c5
+    T21_ = x4_y * s5 - z3_y * c5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T12_ = z4_x * c6 - x5_x * s6
+    T22_ = z4_y * c6 - x5_y * s6
+    T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + z3_x * d4 + T11_ * d6
+    T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + z3_y * d4 + T21_ * d6
+    T34_ = d1 - s2 * a2 + z3_z * d4 - v10 * d6
+    T33_ = v8 * s6 - x5_z * c6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = -(x5_x * c6 + z4_x * s6)
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = -(x5_y * c6 + z4_y * s6)
+    T[1, 3] = T24_
+    T[2, 0] = -v10
+    T[2, 1] = -(v8 * c6 + x5_z * s6)
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = q[1] + offset2
+    c2 = math.cos(v1)
+    s2 = math.sin(v1)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v2 = c1 * s2
+    v3 = s1 * s2
+    p2_z = d1 - s2 * a2
+    p2_x = p1_x + x2_x * a2 - s1 * d2
+    p2_y = p1_y + x2_y * a2 + c1 * d2
+    v4 = q[2] + offset3
+    c3 = math.cos(v4)
+    s3 = math.sin(v4)
+    x3_x = x2_x * c3 - v2 * s3
+    x3_y = x2_y * c3 - v3 * s3
+    v5 = s2 * c3 + c2 * s3
+    J44 = v2 * c3 + x2_x * s3
+    J54 = v3 * c3 + x2_y * s3
+    J64 = c2 * c3 - s2 * s3
+    v6 = q[3] + offset4
+    c4 = math.cos(v6)
+    s4 = math.sin(v6)
+    J45 = s1 * c4 + x3_x * s4
+    v7 = v5 * s4
+    p4_x = p2_x + J44 * d4
+    p4_y = p2_y + J54 * d4
+    p4_z = p2_z + J64 * d4
+    J55 = x3_y * s4 - c1 * c4
+    v8 = q[4] + offset5
+    c5 = math.cos(v8)
+    s5 = math.sin(v8)
+    v9 = J64 * c5 + v5 * c4 * s5
+    J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5
+    J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5
+    J21 = p4_x + J46 * d6
+    v10 = p4_y + J56 * d6
+    v11 = p4_z - v9 * d6
+    v12 = v11 - d1
+    J12 = c1 * v12
+    J22 = s1 * v12
+    v13 = J21 - p2_x
+    v14 = v10 - p2_y
+    v15 = v11 - p2_z
+    J13 = c1 * v15
+    J23 = s1 * v15
+    J14 = J54 * v15 - J64 * v14
+    J24 = J64 * v13 - J44 * v15
+    J34 = J44 * v14 - J54 * v13
+    v16 = J21 - p4_x
+    v17 = v10 - p4_y
+    v18 = v11 - p4_z
+    J15 = J55 * v18 + v7 * v17
+    J35 = J45 * v17 - J55 * v16
+    J16 = J56 * v18 + v9 * v17
+    J36 = J46 * v17 - J56 * v16
+    J[0, 0] = -v10
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = -(v7 * v16 + J45 * v18)
+    J[1, 5] = -(v9 * v16 + J46 * v18)
+    J[2, 1] = -(s1 * (v10 - p1_y) + c1 * (J21 - p1_x))
+    J[2, 2] = -(s1 * v14 + c1 * v13)
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 1] = -s1
+    J[3, 2] = -s1
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 1] = c1
+    J[4, 2] = c1
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 3] = J64
+    J[5, 4] = -v7
+    J[5, 5] = -v9
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    t14 = T14 - d6 * T11
+    Y1 = d6 * T21 - T24
+    N1 = t14 * t14 + Y1 * Y1
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    apart1 = k3 < D1
+    if not (-k2 <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = t14 * d2
+    v2 = Y1 * d2
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    t34 = T34 - d6 * T31
+    Z1_3 = t34 - d1
+    v4 = Z1_3 * Z1_3
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v10 = seed[1] + offset2
+
+    # theta4, type 2: U4[3, 3]
+    v14 = seed[3] + offset4
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else -(inverse1 * (v2 + t14 * root1))
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v1)
+        q1 = math.atan2(s1, c1)
+
+        # theta3
+        v3 = root1 + a1
+        N3 = v4 + v3 * v3
+        K3 = N3 - k4
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        s3 = k4 * K3 * k5
+
+        # theta2
+        Y1_2 = a2 + d4 * s3
+        v7 = Z1_3 * Y1_2
+        v8 = v3 * Y1_2
+
+        # theta4
+        v12 = T11 * c1 + T21 * s1
+        Y4 = T21 * c1 - T11 * s1
+        v13 = Y4 * Y4
+
+        # theta6, type 3: U4[3, 2] and U4[3, 1]
+        v15 = T12 * s1 - T22 * c1
+        v16 = T12 * c1 + T22 * s1
+        v18 = T23 * c1 - T13 * s1
+        v19 = T13 * c1 + T23 * s1
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            v5 = k5 * (k4 * (w3 * e2))
+
+            # theta2
+            v6 = d4 * v5
+            S2 = v3 * v6 - v7
+            v9 = Z1_3 * v6 + v8
+            w2 = math.sqrt(S2 * S2 + v9 * v9)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(v10) if free2 else -(v9 * factor2)
+            s2 = math.sin(v10) if free2 else S2 * factor2
+
+            # theta4
+            v11 = v5 * c2 + s3 * s2
+            s23 = s3 * c2 - v5 * s2
+            X4 = v11 * v12 + T31 * s23
+            w4 = math.sqrt(X4 * X4 + v13)
+            free4 = w4 <= free_limit
+            divisor4 = 1.0 if free4 else w4
+
+            # theta5, type 3: U4[2, 3] and U4[1, 3]
+            c5 = T31 * v11 - s23 * v12
+
+            # theta6
+            v17 = v11 * v16 + T32 * s23
+            v20 = v11 * v19 + T33 * s23
+
+            # joint values
+            q2 = _wrap(math.atan2(s2, c2) - offset2)
+            q3 = _wrap(math.atan2(s3, -v5) - offset3)
+
+            for i3 in range(2):  # noflip, flip
+                e3 = 1.0 - 2.0 * i3
+                # theta4
+                if e3 < 0.0 and free4:
+                    continue  # both signs give the same
+                factor4 = e3 / divisor4
+                c4 = math.cos(v14) if free4 else -(X4 * factor4)
+                s4 = math.sin(v14) if free4 else Y4 * factor4
+                s5 = w4 * e3
+
+                # theta6
+                c6 = c4 * v15 - s4 * v17
+                s6 = c4 * v18 + s4 * v20
+                q6 = math.atan2(s6, c6)
+
+                # joint values
+                q4 = _wrap(math.atan2(s4, c4) - offset4)
+                q5 = _wrap(math.atan2(s5, c5) - offset5)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+    """
+    q = np.empty((8, 6))
+    status = np.empty(8, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(8) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 8, 6))
+    status = np.empty((len(T), 8), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

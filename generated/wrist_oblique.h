@@ -1,0 +1,67 @@
+/* wrist_oblique: Oblique spherical wrist
+ *
+ * Inverse kinematics, generated from robots/wrist_oblique.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/wrist_oblique.yaml. The formulas and where they come from:
+ * wrist_oblique.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef WRIST_OBLIQUE_H
+#define WRIST_OBLIQUE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    WRIST_OBLIQUE_DOF = 3, /* joints */
+    WRIST_OBLIQUE_ROWS = 2 /* branches */
+};
+
+/* What a row of wrist_oblique_ik holds. */
+enum {
+    /* joint values */
+    WRIST_OBLIQUE_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    WRIST_OBLIQUE_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    WRIST_OBLIQUE_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    WRIST_OBLIQUE_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    WRIST_OBLIQUE_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const wrist_oblique_branches[2];
+
+/* The pose T of the joint values q. */
+void wrist_oblique_fk(const double q[3], double T[16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void wrist_oblique_jacobian(const double q[3], double J[18]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -WRIST_OBLIQUE_INVALID_POSE. */
+int wrist_oblique_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns WRIST_OBLIQUE_OK or WRIST_OBLIQUE_FREE_JOINT, or, with NaN in q,
+ * minus WRIST_OBLIQUE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* wrist_oblique_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 3, status n x 2. */
+void wrist_oblique_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

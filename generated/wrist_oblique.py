@@ -1,0 +1,486 @@
+"""wrist_oblique: Oblique spherical wrist.
+
+Inverse kinematics, generated from robots/wrist_oblique.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/wrist_oblique.yaml. The formulas and where they come from:
+wrist_oblique.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+
+import numpy as np
+
+try:
+    from numba import njit, prange
+except ImportError:  # plain Python, only slower
+    prange = range
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+NAME = "wrist_oblique"
+DOF = 3
+JOINT_TYPES = "RRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left",
+    "right",
+)
+MAX_SOLUTIONS = 2
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+sqrt3 = 1.7320508075688772  # square root of 3
+ca2 = 0.6427876096865394  # cosine of twist 2
+sa2 = 0.766044443118978  # sine of twist 2
+d3 = 0.1  # joint offset 3 [m]
+free_limit_squared2 = 1.0000000000000002e-26  # square of a length that fixes no angle [m^2]
+reach_slack1 = 1.0000000000000002e-14  # rounding at the boundary of the workspace [m]
+merge_slack1 = 1e-15  # nearer to that boundary two branches are one [m]
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 1.0000000000000002e-06  # a pose may be rounded by this [m]
+k1 = 0.5  # 1 / 2
+k2 = 0.12855752193730788  # 2 * d3 * ca2 [m]
+k3 = 1.3268278963378768  # sa2 * sqrt3
+k4 = 0.6634139481689384  # sa2 * sqrt3 / 2
+k5 = 0.8660254037844386  # sqrt3 / 2
+k6 = 0.5745333323392334  # sqrt3 / 2 * sa2 * sqrt3 / 2
+f1 = 0.5  # 1 / 2
+f2 = 0.8660254037844386  # 1 / 2 * sqrt3
+f3 = 0.383022221559489  # sa2 * 1 / 2
+f4 = 0.3213938048432697  # ca2 * 1 / 2
+g1 = 0.5  # 1 / 2
+g2 = 0.8660254037844386  # 1 / 2 * sqrt3
+g3 = 0.3213938048432697  # ca2 * 1 / 2
+
+_TURN = 6.283185307179586
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(cache=True, error_model="numpy")
+def fk(q):
+    """The pose (4, 4) of the joint values q (3,)."""
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = s1 * f1
+    y1_y = c1 * f1
+    z1_x = s1 * f2
+    v2 = c1 * f2
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = f2 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = f2 * c2
+    v6 = v3 * ca2 + z1_x * sa2
+    y2_y = v4 * ca2 + v2 * sa2
+    y2_z = v5 * ca2 - f3
+    T13_ = z1_x * ca2 - v3 * sa2
+    T23_ = v4 * sa2 - v2 * ca2
+    T33_ = v5 * sa2 + f4
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    T11_ = x2_x * c3 - v6 * s3
+    T21_ = x2_y * c3 + y2_y * s3
+    T31_ = x2_z * c3 + y2_z * s3
+    T22_ = y2_y * c3 - x2_y * s3
+    T32_ = y2_z * c3 - x2_z * s3
+    T14_ = T13_ * d3
+    T24_ = T23_ * d3
+    T34_ = T33_ * d3
+    T[0, 0] = T11_
+    T[0, 1] = -(v6 * c3 + x2_x * s3)
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True, error_model="numpy")
+def jacobian(q):
+    """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    J = np.zeros((6, 3))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    J42 = s1 * g2
+    v1 = c1 * g2
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    J43 = J42 * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2
+    J53 = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2
+    J63 = g2 * c2 * sa2 + g3
+    J21 = J43 * d3
+    p3_y = J53 * d3
+    p3_z = J63 * d3
+    J22 = g1 * J21 - J42 * p3_z
+    J32 = J42 * p3_y + v1 * J21
+    J13 = J53 * p3_z - J63 * p3_y
+    J23 = J63 * J21 - J43 * p3_z
+    J33 = J43 * p3_y - J53 * J21
+    J[0, 0] = -p3_y
+    J[0, 1] = -(v1 * p3_z + g1 * p3_y)
+    J[0, 2] = J13
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[3, 1] = J42
+    J[3, 2] = J43
+    J[4, 1] = -v1
+    J[4, 2] = J53
+    J[5, 0] = 1.0
+    J[5, 1] = g1
+    J[5, 2] = J63
+    return J
+
+
+@njit(cache=True, error_model="numpy")
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = T14 * sqrt3 * k1
+    Y1 = k1 * (sqrt3 * T24)
+    Z1 = k1 * (T34 - k2)
+    N1 = v1 * v1 + Y1 * Y1
+    D1 = N1 - Z1 * Z1
+    free1 = N1 <= free_limit_squared2
+    v2 = 2.0 * abs(Z1)
+    apart1 = merge_slack1 * (v2 + merge_slack1) < D1
+    if not (-(reach_slack1 * (v2 + reach_slack1)) <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v3 = v1 * Z1
+    v4 = Y1 * Z1
+
+    # theta3, type 3: U1[3, 2] and U1[3, 1]
+    v5 = sqrt3 * T22
+    v6 = T12 * sqrt3
+    v7 = sqrt3 * T21
+    v8 = T11 * sqrt3
+
+    # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
+    v11 = k1 * (2.0 * T33 - ca2) * k5
+    v12 = -1.0 if -k6 < 0.0 else 1.0
+    v13 = v11 * v11
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v4 + v1 * root1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v3)
+        q1 = math.atan2(s1, c1)
+
+        # theta3
+        S3 = sa2 * (k1 * (T31 + (s1 * v8 - c1 * v7)))
+        C3 = sa2 * (k1 * (T32 + (s1 * v6 - c1 * v5)))
+        w3 = math.sqrt(S3 * S3 + C3 * C3)
+        free3 = w3 <= free_limit_squared
+        v9 = 1.0 / (1.0 if free3 else w3)
+        c3 = math.cos(seed[2]) if free3 else -(C3 * v9)
+        s3 = math.sin(seed[2]) if free3 else -(S3 * v9)
+        q3 = math.atan2(s3, c3)
+
+        # theta2
+        v10 = k4 * (T31 * c3 - T32 * s3)
+        w2 = math.sqrt(v10 * v10 + v13)
+        free2 = w2 <= free_limit_squared
+        factor2 = v12 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else -(v11 * factor2)
+        s2 = math.sin(seed[1]) if free2 else -(v10 * factor2)
+        q2 = math.atan2(s2, c2)
+
+        # is the pose one that the arm can take?
+        v14 = 2.0 * c1
+        v15 = ca2 * s1
+        v16 = s1 * c3
+        v17 = ca2 * c1
+        v18 = 2.0 * v17
+        v19 = s1 * s3
+        v20 = s1 * sa2
+        v21 = c1 * sa2
+        v22 = c2 * v20 + s2 * (2.0 * v21) - ca2 * (sqrt3 * s1)
+        v23 = 2.0 * s1
+        v24 = c1 * c3
+        v25 = 2.0 * v15
+        v26 = c1 * s3
+        v27 = c2 * v21 - s2 * (2.0 * v20) - ca2 * (sqrt3 * c1)
+        v28 = sqrt3 * s3
+        v29 = sqrt3 * c3
+        v30 = ca2 + k3 * c2
+        if (
+            not (abs(T34 - k1 * (d3 * v30)) <= pose_slack1 and (abs(T33 - k1 * v30) <= pose_slack
+            and (abs(T32 - k1 * (c2 * (ca2 * v29) - s2 * v28 - sa2 * c3)) <= pose_slack and (abs(T31
+            - k1 * (c2 * (ca2 * v28) + s2 * v29 - sa2 * s3)) <= pose_slack and (abs(T24 - k1 * (d3 *
+            v27)) <= pose_slack1 and (abs(T23 - k1 * v27) <= pose_slack and (abs(T22 - k1 * (c2 *
+            (c3 * v17 - s3 * v23) - s2 * (v26 + c3 * v25) + sa2 * (sqrt3 * v24))) <= pose_slack and
+            (abs(T21 - k1 * (c2 * (c3 * v23 + s3 * v17) + s2 * (v24 - s3 * v25) + sa2 * (sqrt3 *
+            v26))) <= pose_slack and (abs(T14 + k1 * (d3 * v22)) <= pose_slack1 and (abs(T13 - k1 *
+            -v22) <= pose_slack and (abs(T11 - k1 * (c2 * (c3 * v14 - s3 * v15) - s2 * (v16 + s3 *
+            v18) - sa2 * (sqrt3 * v19))) <= pose_slack and abs(T12 + k1 * (c2 * (c3 * v15 + s3 *
+            v14) + s2 * (c3 * v18 - v19) + sa2 * (sqrt3 * v16))) <= pose_slack)))))))))))
+        ):
+            continue  # the arm can't take this pose
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        status[row] = FREE_JOINT if free1 or free2 or free3 else OK
+
+
+@njit(cache=True, error_model="numpy")
+def _misfit(T):
+    """How far the rotation part is from orthonormal and right-handed, as a sum of squares."""
+    xx = T[0, 0] * T[0, 0] + T[0, 1] * T[0, 1] + T[0, 2] * T[0, 2] - 1.0
+    yy = T[1, 0] * T[1, 0] + T[1, 1] * T[1, 1] + T[1, 2] * T[1, 2] - 1.0
+    xy = T[0, 0] * T[1, 0] + T[0, 1] * T[1, 1] + T[0, 2] * T[1, 2]
+    z0 = T[0, 1] * T[1, 2] - T[0, 2] * T[1, 1] - T[2, 0]
+    z1 = T[0, 2] * T[1, 0] - T[0, 0] * T[1, 2] - T[2, 1]
+    z2 = T[0, 0] * T[1, 1] - T[0, 1] * T[1, 0] - T[2, 2]
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2
+
+
+@njit(cache=True, error_model="numpy")
+def _straightened(pose):
+    """With the nearest rotation: R becomes (3 I - R R') R / 2, twice (Higham 1986)."""
+    x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz = pose
+    for _ in range(2):
+        xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+        yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+        zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+        xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+        xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+        yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+        x0, y0, z0 = (
+            xx * x0 + xy * y0 + xz * z0,
+            xy * x0 + yy * y0 + yz * z0,
+            xz * x0 + yz * y0 + zz * z0,
+        )
+        x1, y1, z1 = (
+            xx * x1 + xy * y1 + xz * z1,
+            xy * x1 + yy * y1 + yz * z1,
+            xz * x1 + yz * y1 + zz * z1,
+        )
+        x2, y2, z2 = (
+            xx * x2 + xy * y2 + xz * z2,
+            xy * x2 + yy * y2 + yz * z2,
+            xz * x2 + yz * y2 + zz * z2,
+        )
+    return x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz
+
+
+@njit(cache=True, error_model="numpy")
+def _is_pose(T):
+    """Whether the entries that count make a pose."""
+    if not (math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])):
+        return False
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    if not rest <= 1e-09:
+        return False
+    return _misfit(T) <= 1e-09
+
+
+@njit(cache=True, error_model="numpy")
+def _read(T):
+    """The upper three rows, with the nearest rotation where a pose is only rounded."""
+    pose = (
+        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
+        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
+        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
+    )
+    if _misfit(T) > 1e-24:
+        return _straightened(pose)
+    return pose
+
+
+@njit(cache=True, error_model="numpy")
+def _turned(joint, value, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value
+
+
+@njit(cache=True, error_model="numpy")
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid = _is_pose(T)
+    for row in range(2):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(3):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    pose = _read(T)
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(2):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(3):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
+            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
+            if not low <= q[row, i] <= high:
+                status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@njit(cache=True, error_model="numpy", parallel=True)
+def _ik_batch(T, q, status):
+    for k in prange(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_into(T, q, status, q_seed=_ZEROS):
+    """All solutions into the caller's arrays, for control loops.
+
+    Nothing is checked but the pose. No memory is allocated.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (2, 3), NaN where there is no solution; float64.
+        status: Filled with what each row holds (2,); uint8.
+        q_seed: Values for joints that are indeterminate (3,), float64.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+    """
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (2, 3) and status (2,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (3,); zeros without it.
+    """
+    q = np.empty((2, 3))
+    status = np.empty(2, np.uint8)
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    return q, status
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (3,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
+    rows = range(2) if branch is None else [_row(branch)]
+    q, status = ik_all(T, seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    best, least = None, math.inf
+    for row in rows:
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
+        distance = float(_WEIGHT @ (values - seed) ** 2)
+        if distance < least:
+            best, least = values, distance
+    if best is None:
+        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
+        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
+        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+        raise Unreachable(why + where)
+    return best
+
+
+def ik_batch(T):
+    """ik_all for N poses (N, 4, 4) on all cores.
+
+    Returns:
+        q (N, 2, 3) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q = np.empty((len(T), 2, 3))
+    status = np.empty((len(T), 2), np.uint8)
+    _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, np.float64)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _vector(values, size, name):
+    values = _array(values, (size,), name)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} must be finite, not {values}")
+    return values
+
+
+def _row(branch):
+    if branch in BRANCHES:
+        return BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+
+
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
