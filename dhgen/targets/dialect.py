@@ -84,7 +84,8 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
         return f"{part(0, binds)} {sign} {part(1, binds + 1)}", binds
     match operator:
         case "neg":
-            return f"-{part(0, UNARY)}", UNARY
+            inner = part(0, UNARY)  # two signs in a row are another operator in C
+            return f"-({inner})" if inner.startswith("-") else f"-{inner}", UNARY
         case "and":
             return f"{part(0, CONJUNCTION)} {dialect.conjunction()} {part(1, CONJUNCTION + 1)}", (
                 CONJUNCTION

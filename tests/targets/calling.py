@@ -1,0 +1,70 @@
+"""The functions of a solver in both languages, called alike."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tests.targets.made import in_c, in_python, made
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tests.oracle.arm import FloatArray
+
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
+HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
+LANGUAGES = ("C", "Python")
+
+
+@dataclass(frozen=True, slots=True)
+class Solver:
+    """A robot's solver.
+
+    Attributes:
+        name: The robot.
+        language: C or Python.
+    """
+
+    name: str
+    language: str
+
+    def all(
+        self, T: FloatArray, seed: FloatArray | None = None, free: FloatArray | None = None
+    ) -> tuple[FloatArray, NDArray[np.uint8]]:
+        """All rows and their statuses."""
+        given = [] if free is None else [free]
+        if self.language == "Python":
+            q, status = in_python(self.name).ik_all(T, *given, seed)
+            return q, status
+        zeros = np.zeros(made(self.name).module.chain.dof)
+        return in_c(self.name).ik(T, zeros if seed is None else seed, *given)
+
+    def nearest(
+        self, T: FloatArray, seed: FloatArray, free: FloatArray | None = None
+    ) -> tuple[int, FloatArray]:
+        """The nearest row, and its status or minus the reason why there is none."""
+        given = [] if free is None else [free]
+        if self.language == "Python":
+            return _python_nearest(in_python(self.name), T, seed, given)
+        q = np.empty(len(seed))
+        arrays = [np.ascontiguousarray(a, np.float64) for a in (T, *given, seed, q)]
+        function = in_c(self.name).library[f"{self.name}_ik_nearest"]
+        result = function(*(a.ctypes.data_as(ctypes.c_void_p) for a in arrays))
+        return int(result), arrays[-1]
+
+
+def _python_nearest(
+    module: Any, T: FloatArray, seed: FloatArray, given: list[FloatArray]
+) -> tuple[int, FloatArray]:
+    try:
+        q = module.ik(T, *given, seed)
+    except module.Unreachable as reason:
+        beyond = "beyond the joint limits" in str(reason)
+        return -(OUT_OF_LIMITS if beyond else UNREACHABLE), np.full(len(seed), np.nan)
+    except ValueError:
+        return -INVALID_POSE, np.full(len(seed), np.nan)
+    return OK, q

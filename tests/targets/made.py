@@ -1,0 +1,133 @@
+"""Solvers made in the tests: compiled robots, their C as a library, their Python without numba."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.compiler import Compilation, compile_robot
+from dhgen.robot.load import load
+from dhgen.robot.robot import JointKind
+from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.oracle.arm import arm_size
+from tests.oracle.forward import forward
+from tests.oracle.problem import task_entries
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.robot.robot import Robot
+    from tests.oracle.arm import FloatArray
+
+ROBOTS = Path(__file__).resolve().parents[2] / "robots"
+NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
+MADE_UP = Path(__file__).parent / "robots"
+MADE_UP_NAMES = sorted(path.stem for path in MADE_UP.glob("*.yaml"))
+
+
+@cache
+def folder() -> Path:
+    """Where this process puts its files."""
+    kept = tempfile.TemporaryDirectory(prefix="dhgen-tests-")
+    _KEPT.append(kept)
+    return Path(kept.name)
+
+
+_KEPT: list[tempfile.TemporaryDirectory[str]] = []
+
+
+def robot_path(name: str) -> Path:
+    """The robot's file, of the project or made up for these tests."""
+    path = ROBOTS / f"{name}.yaml"
+    return path if path.exists() else MADE_UP / f"{name}.yaml"
+
+
+@cache
+def robot(name: str) -> Robot:
+    """What the file says."""
+    return load(robot_path(name))
+
+
+@cache
+def made(name: str) -> Compilation:
+    """A robot's files, written to the folder."""
+    compilation = compile_robot(robot_path(name))
+    for file, text in compilation.files.items():
+        (folder() / file).write_text(text, encoding="utf-8")
+    return compilation
+
+
+@cache
+def in_c(name: str) -> CompiledSolver:
+    """Its C, compiled."""
+    module = made(name).module
+    solver = compile_solver(
+        folder() / f"{name}.c",
+        folder(),
+        name,
+        module.chain.dof,
+        module.solver.rows,
+        len(module.chain.free),
+    )
+    assert solver is not None, "the tests need a C compiler"
+    return solver
+
+
+@cache
+def in_python(name: str) -> Any:
+    """Its Python, run where numba is absent."""
+    return without_numba(made(name).files[f"{name}.py"], name)
+
+
+def without_numba(text: str, name: str) -> Any:
+    """A module of this text, imported where numba is absent."""
+    module = ModuleType(name)
+    hidden = {key: sys.modules.pop(key) for key in list(sys.modules) if key.startswith("numba")}
+    sys.modules["numba"] = None  # type: ignore[assignment]
+    try:
+        exec(compile(text, f"{name}.py", "exec"), module.__dict__)  # noqa: S102
+    finally:
+        del sys.modules["numba"]
+        sys.modules.update(hidden)
+    return module
+
+
+def poses_of(name: str, q: FloatArray) -> FloatArray:
+    """The poses of joint vectors by the oracle, which shares nothing with the compiler."""
+    return np.asarray(forward(robot(name), q), dtype=float)
+
+
+def given(name: str, q: FloatArray) -> list[FloatArray]:
+    """The argument for free joints, where there are any."""
+    free = [joint - 1 for joint in robot(name).free]
+    return [np.ascontiguousarray(q[..., free])] if free else []
+
+
+def entries(name: str) -> NDArray[np.bool_]:
+    """Which of the upper three rows of a pose the task names, (3, 4)."""
+    return task_entries(robot(name).task).reshape(3, 4)
+
+
+def turning(name: str) -> NDArray[np.bool_]:
+    """Which joints turn, (n,)."""
+    return np.array([joint.kind is JointKind.REVOLUTE for joint in robot(name).joints])
+
+
+def apart(name: str, rows: FloatArray, others: FloatArray) -> FloatArray:
+    """Differences of joint values, whole turns aside, lengths in arm sizes."""
+    miss = np.abs(rows - others)
+    turned = np.abs(miss - 2 * np.pi * np.round(miss / (2 * np.pi)))
+    return np.where(turning(name), turned, miss / arm_size(robot(name)))
+
+
+def residual(name: str, rows: FloatArray, T: FloatArray) -> float:
+    """The largest miss of a pose by joint vectors (N, n), lengths in arm sizes."""
+    miss = np.abs(poses_of(name, rows) - T)[:, :3]
+    miss[..., 3] /= arm_size(robot(name))
+    return float(miss[:, entries(name)].max(initial=0.0))

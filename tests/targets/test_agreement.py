@@ -1,0 +1,100 @@
+"""C and Python as emitted against the interpreter, on random and singular poses of every robot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.program.interpret import interpret
+from tests.oracle.forward import jacobian
+from tests.oracle.poses import one_joint_at, random_joints, right_angles
+from tests.targets.made import (
+    MADE_UP_NAMES,
+    NAMES,
+    apart,
+    given,
+    in_c,
+    in_python,
+    made,
+    poses_of,
+    residual,
+    robot,
+)
+
+if TYPE_CHECKING:
+    from tests.oracle.arm import FloatArray
+
+COUNT = 12
+EVERY = [*NAMES, *MADE_UP_NAMES]
+SIGNIFICANT = 1e-6  # poles of atan2: nearer to a singular pose rounding decides the angle
+
+
+def joints(name: str) -> dict[str, FloatArray]:
+    arm = robot(name)
+    return {
+        "random": random_joints(arm, COUNT, seed=21),
+        "singular": one_joint_at(arm, (0.0, np.pi), 2, seed=22),
+        "right angles": right_angles(arm, COUNT, seed=23)[:COUNT],
+    }
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_random_poses(name: str) -> None:
+    """To 1e-12 times what the arm's condition makes of rounding."""
+    q = joints(name)["random"]
+    T = poses_of(name, q)
+    program = made(name).module.solver
+    meant = interpret(program, T, q, *given(name, q))
+    for k in range(len(q)):
+        free = given(name, q[k])
+        for rows, status in (
+            in_c(name).ik(T[k], q[k], *free),
+            in_python(name).ik_all(T[k], *free, q[k]),
+        ):
+            held = np.isin(status, (0, 2, 3))
+            assert held.tolist() == meant.solved[k].tolist()
+            miss = apart(name, rows[held], meant.q[k][held]).max(initial=0.0)
+            assert miss < 1e-12 * condition(name, rows[held])
+
+
+def condition(name: str, rows: FloatArray) -> float:
+    """One over the least singular value of the Jacobian, of all rows."""
+    worst = 1.0
+    for row in rows:
+        values = np.linalg.svd(in_c(name).jacobian(np.ascontiguousarray(row)), compute_uv=False)
+        significant = values[values > SIGNIFICANT * values[0]]
+        worst = max(worst, 10.0 / significant[-1])
+    return worst
+
+
+@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("kind", ["singular", "right angles"])
+def test_singular_poses(name: str, kind: str) -> None:
+    """The same rows in C and in Python, and every row gives the pose again."""
+    q = joints(name)[kind]
+    T = poses_of(name, q)
+    seeds = random_joints(robot(name), len(q), seed=24)
+    for joint in robot(name).free:
+        seeds[:, joint - 1] = q[:, joint - 1]
+    for k in range(len(q)):
+        free = given(name, q[k])
+        rows, status = in_c(name).ik(T[k], seeds[k], *free)
+        others, other_status = in_python(name).ik_all(T[k], *free, seeds[k])
+        assert status.tolist() == other_status.tolist()
+        held = np.isin(status, (0, 2, 3))
+        assert held.any(), q[k]
+        for found in (rows[held], others[held]):
+            assert residual(name, found, T[k]) < 1e-11
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_forward_models(name: str) -> None:
+    q = np.concatenate([joints(name)["random"], joints(name)["right angles"]])
+    T = poses_of(name, q)
+    wanted = jacobian(robot(name), q)
+    for k in range(len(q)):
+        for solver in (in_c(name), in_python(name)):
+            np.testing.assert_allclose(solver.fk(q[k]), T[k], rtol=1e-13, atol=1e-13)
+            np.testing.assert_allclose(solver.jacobian(q[k]), wanted[k], rtol=1e-12, atol=1e-12)

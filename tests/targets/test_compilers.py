@@ -1,0 +1,109 @@
+"""The C as compilers and sanitizers see it: no warning, and nothing undefined on any pose."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from tests.oracle.poses import one_joint_at, out_of_reach, random_joints, right_angles
+from tests.targets.made import MADE_UP_NAMES, NAMES, folder, made, poses_of, robot
+
+if TYPE_CHECKING:
+    from tests.oracle.arm import FloatArray
+
+EVERY = [*NAMES, *MADE_UP_NAMES]
+WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
+MORE = ("-Wcast-qual", "-Wstrict-prototypes", "-Wmissing-prototypes", "-Wold-style-definition")
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+DRIVER = Path(__file__).with_name("sanitized.c.txt")
+
+
+def compiled(*command: str) -> str:
+    """What a compiler says."""
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder())
+    return f"{done.returncode or ''}{done.stderr}"
+
+
+def test_there_is_a_compiler() -> None:
+    assert COMPILERS
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("name", EVERY)
+def test_no_warnings(name: str, compiler: str) -> None:
+    made(name)
+    levels = ("-O0", "-O1", "-O2", "-O3") if name in {"ur5", "scara", "planar_4r"} else ("-O2",)
+    for level in levels:
+        flags = ("-std=c99", level, *WARNINGS, *MORE, "-c", f"{name}.c", "-o", f"{name}.o")
+        assert compiled(compiler, *flags) == ""
+
+
+@pytest.mark.parametrize("compiler", [name for name in ("g++", "clang++") if shutil.which(name)])
+def test_headers_are_read_by_cpp_too(compiler: str) -> None:
+    calls = []
+    for name in EVERY:
+        made(name)
+        calls.append(f"auto f_{name} = &{name}_ik; int n_{name} = {name.upper()}_ROWS;")
+    includes = [f'#include "{name}.h"' for name in EVERY]
+    main = "int main() { return 0; }"
+    (folder() / "every.cpp").write_text("\n".join([*includes, *calls, main]))
+    flags = ("-std=c++11", *WARNINGS, "-c", "every.cpp", "-o", "every.o")
+    assert compiled(compiler, *flags) == ""
+
+
+def test_names_are_c_names_for_cpp() -> None:
+    """Linked to C++, the C is found: extern "C" holds."""
+    if not shutil.which("g++"):
+        pytest.skip("no C++ compiler")
+    made("scara")
+    (folder() / "use.cpp").write_text(
+        '#include "scara.h"\nint main() { double q[4] = {0}, T[16], all[2][4];\n'
+        "unsigned char s[2]; scara_fk(q, T); return scara_ik(T, q, all, s) > 0 ? 0 : 1; }"
+    )
+    assert compiled("gcc", "-std=c99", "-c", "scara.c", "-o", "scara_c.o") == ""
+    assert compiled("g++", "use.cpp", "scara_c.o", "-o", "use", "-lm") == ""
+    assert subprocess.run([folder() / "use"], check=False).returncode == 0
+
+
+def poses(name: str) -> FloatArray:
+    """Up to 1000 poses: ordinary, singular, out of reach, and none at all."""
+    arm = robot(name)
+    q = np.concatenate(
+        [random_joints(arm, 200), right_angles(arm, 200), one_joint_at(arm, (0.0, np.pi), 10)]
+    )
+    good = poses_of(name, q)[:600]
+    source = np.random.default_rng(51)
+    bad = good[:100].copy()
+    bad.reshape(100, 16)[np.arange(100), source.integers(0, 16, 100)] = source.choice(
+        [np.nan, np.inf, -np.inf, 1e300, -1e-300], 100
+    )
+    noise = source.normal(0.0, 1.0, (100, 4, 4)) * 10.0 ** source.integers(-300, 300, (100, 1, 1))
+    far = out_of_reach(arm, 20)
+    return np.concatenate([good, bad, noise, far, np.zeros((1, 4, 4)), np.eye(4)[None]])
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_sanitizers_find_nothing(name: str) -> None:
+    module = made(name).module
+    sizes = {"ROWS": module.solver.rows, "DOF": module.chain.dof, "FREE": len(module.chain.free)}
+    text = DRIVER.read_text().replace('"NAME.h"', f'"{name}.h"')
+    (folder() / f"{name}_driver.c").write_text(text)
+    poses(name).tofile(folder() / f"{name}.poses")
+    defines = [f"-D{key}={value}" for key, value in sizes.items()] + [f"-DNAME={name}"]
+    sanitizers = "-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow"
+    flags = ("-std=c99", "-O1", "-g", sanitizers, "-fno-sanitize-recover=all", *defines)
+    files = (f"{name}_driver.c", f"{name}.c", "-o", f"{name}_sanitized", "-lm")
+    assert compiled(COMPILERS[0], *flags, *files) == ""
+    done = subprocess.run(
+        [folder() / f"{name}_sanitized", folder() / f"{name}.poses"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert int(done.stdout) > 100
