@@ -91,6 +91,14 @@ class CompiledSolver:
         )
         return q, status
 
+    def nearest(self, T: Array, seed: Array, free: Array | None = None) -> Array:
+        """The row nearest to the seed (n,), NaN without one."""
+        q = np.empty(self.dof)
+        given = [] if free is None else [np.ascontiguousarray(free, np.float64)]
+        arrays = [np.ascontiguousarray(T, np.float64), *given, seed, q]
+        self.library[f"{self.name}_ik_nearest"](*map(_pointer, arrays))
+        return q
+
 
 def compile_solver(
     source: Path, folder: Path, name: str, dof: int, rows: int, free: int

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.robot import JointKind
+from dhgen.robot.robot import JointKind, TaskKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.robot.robot import Task
 
     Array = NDArray[np.float64]
 
@@ -76,3 +77,17 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
     lengths = low + (high - low) * source.integers(0, 5, (count, chain.dof)) / 4
     turns = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
     return np.clip(np.where(turns, angles, lengths), low, high)
+
+
+def spoiled_poses(task: Task, T: Array) -> list[Array]:
+    """Poses like T that are none: not finite, mirrored, stretched."""
+    rotation = task.kind in {TaskKind.POSE, TaskKind.ORIENTATION}
+    row = "xyz".index(task.coordinates[0]) if task.coordinates else 0
+    column = 0 if task.kind is TaskKind.ORIENTATION else 3
+    spoiled = [T.copy() for _ in range(4 if rotation else 2)]
+    spoiled[0][row, column] = np.nan
+    spoiled[1][row, column] = np.inf
+    if rotation:
+        spoiled[2][:3, 0] *= -1.0
+        spoiled[3][:3, :3] *= 1.01
+    return spoiled

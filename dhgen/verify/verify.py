@@ -2,7 +2,7 @@
 
 Python and C are run on the same poses: they agree with each other and with the program's meaning;
 every row they give reproduces its pose through an independent forward model; the joint values that
-made a pose are among the rows; poses that cannot be are refused.
+made a pose are among the rows, and the nearest to themselves; poses that cannot be are refused.
 """
 
 from __future__ import annotations
@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
-from dhgen.kinematics.numeric import NumericArm, numeric_arm
-from dhgen.paul.problem import task_entries
 from dhgen.program.interpret import interpret
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import TaskKind
 from dhgen.targets.walk import general_kernel
+from dhgen.verify.measures import Measures
 from dhgen.verify.native import compile_solver, import_module
-from dhgen.verify.samples import samples
+from dhgen.verify.samples import samples, spoiled_poses
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -86,8 +85,7 @@ class _Checker:
         self._python: Any = python
         self._c = c
         self._chain = module.chain
-        self._arm: NumericArm = numeric_arm(module.chain)
-        self._turns = np.array([j.kind is JointKind.REVOLUTE for j in self._chain.joints])
+        self._measures = Measures(module.chain)
         self._free = [joint - 1 for joint in self._chain.free]
         self._has_branches = general_kernel(module.solver) is None
         self.poses = self.solutions = 0
@@ -95,103 +93,58 @@ class _Checker:
 
     def sample(self, sample: Sample) -> None:
         """Every pose of a sample, with the generating joints as the seed."""
-        poses = self._arm.pose(sample.q)
+        poses = self._measures.arm.pose(sample.q)
         random = sample.name == "random"
-        compared = random or self._has_branches
         if random:
             meant = interpret(self._module.solver, poses, sample.q, sample.q[:, self._free])
         for number, (q, T) in enumerate(zip(sample.q, poses, strict=True)):
             where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
             self._forward(q, T, where)
-            rows, status = self._call(T, q, where, compared=compared)
+            rows, status = self._call(T, q, where, compared=random or self._has_branches)
             solved = np.isin(status, (self._python.OK, self._python.FREE_JOINT))
             held = solved | (status == self._python.OUT_OF_LIMITS)
             self._reproduce(rows[held], T, where)
             # where an arm is singular, rounding may move a solution a little beyond a limit
-            enough = solved if random else held
-            if not enough.any():
+            if not (solved if random else held).any():
                 raise VerificationError(f"{where}: no row holds a solution")
             if random:
-                self._recover(rows[solved], q, where)
+                self._recover(rows[solved], q, T, where)
                 self._agree(rows[held], meant.q[number][held], "the program's meaning", where)
             self.poses += 1
             self.solutions += int(solved.sum())
 
     def impossible(self) -> None:
-        """Poses out of reach, mirrored, and not finite."""
+        """Poses that are none, and poses out of reach."""
+        name = self._module.name
         source = np.random.default_rng(11)
         q = samples(self._chain, 8)[0].q
-        for joints, T in zip(q, self._arm.pose(q), strict=True):
-            for spoiled in self._spoiled(T):
+        slides = "P" in self._python.JOINT_TYPES
+        endless = slides or self._chain.task.kind is TaskKind.ORIENTATION
+        for joints, T in zip(q, self._measures.arm.pose(q), strict=True):
+            for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._call(spoiled, joints, "an impossible pose")
                 if not (status == self._python.INVALID_POSE).all():
-                    raise VerificationError(
-                        f"{self._module.name}: took a pose that is none:\n{spoiled}"
-                    )
-            if "P" in self._python.JOINT_TYPES or self._chain.task.kind is TaskKind.ORIENTATION:
-                continue
+                    raise VerificationError(f"{name}: took a pose that is none:\n{spoiled}")
             far = T.copy()
             far[:3, 3] += 10.0 * self._chain.size * source.choice([-1.0, 1.0], 3)
-            _, status = self._call(far, joints, "a pose out of reach")
-            if not (status == self._python.UNREACHABLE).all():
-                raise VerificationError(f"{self._module.name}: reached a pose out of reach:\n{far}")
-
-    def _spoiled(self, T: Array) -> list[Array]:
-        kind = self._chain.task.kind
-        row, column = (0, 0) if kind is TaskKind.ORIENTATION else (self._named_row(), 3)
-        spoiled = []
-        for value in (np.nan, np.inf):
-            bad = T.copy()
-            bad[row, column] = value
-            spoiled.append(bad)
-        if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
-            mirrored = T.copy()
-            mirrored[:3, 0] *= -1.0
-            sheared = T.copy()
-            sheared[:3, :3] *= 1.01
-            spoiled += [mirrored, sheared]
-        return spoiled
-
-    def _named_row(self) -> int:
-        coordinates = self._chain.task.coordinates
-        return "xyz".index(coordinates[0]) if coordinates else 0
+            if not endless:
+                _, status = self._call(far, joints, "a pose out of reach")
+                if not (status == self._python.UNREACHABLE).all():
+                    raise VerificationError(f"{name}: reached a pose out of reach:\n{far}")
 
     def _forward(self, q: Array, T: Array, where: str) -> None:
-        self._agree_pose(self._python.fk(q), T, "Python's fk", where)
-        jacobian = self._differences(q, T)
-        self._near(self._python.jacobian(q), jacobian, JACOBIAN, "Python's Jacobian", where)
-        if self._c is not None:
-            self._agree_pose(self._c.fk(q), T, "C's fk", where)
-            self._near(self._c.jacobian(q), jacobian, JACOBIAN, "C's Jacobian", where)
-
-    def _agree_pose(self, got: Array, wanted: Array, what: str, where: str) -> None:
-        scale = np.ones((4, 4))
-        scale[:3, 3] = max(self._chain.size, float(np.abs(wanted[:3, 3]).max()))
-        self._near(got / scale, wanted / scale, AGREEMENT, what, where)
-
-    def _differences(self, q: Array, T: Array) -> Array:
-        """The Jacobian by central differences of the independent forward model."""
-        step = 1e-5
-        columns = []
-        for joint in range(self._chain.dof):
-            move = np.zeros(self._chain.dof)
-            move[joint] = step
-            rate = (self._arm.pose(q + move) - self._arm.pose(q - move)) / (2.0 * step)
-            spin = rate[:3, :3] @ T[:3, :3].T
-            columns.append([*rate[:3, 3] / self._scale, spin[2, 1], spin[0, 2], spin[1, 0]])
-        jacobian = np.array(columns).T
-        jacobian[:3] *= self._scale
-        return jacobian
-
-    @property
-    def _scale(self) -> float:
-        return self._chain.size
+        languages = {"Python": self._python} | ({} if self._c is None else {"C": self._c})
+        for language, solver in languages.items():
+            miss = self._measures.pose_miss(solver.fk(q), T)
+            self._demand(miss, AGREEMENT, f"{where}: {language}'s fk is off")
+            miss = self._measures.jacobian_miss(solver.jacobian(q), q, T)
+            self._demand(miss, JACOBIAN, f"{where}: {language}'s Jacobian is off")
 
     def _call(
         self, T: Array, seed: Array, where: str, *, compared: bool = True
     ) -> tuple[Array, NDArray[np.uint8]]:
         """Python's rows; C's are the same, or at least solutions where roots have no branches."""
-        given = [seed[self._free]] if self._free else []
+        given = self._given(seed)
         rows, status = self._python.ik_all(T, *given, seed)
         if self._c is not None:
             other, other_status = self._c.ik(T, seed, *given)
@@ -206,43 +159,35 @@ class _Checker:
 
     def _agree(self, rows: Array, others: Array, what: str, where: str) -> None:
         """Joint values agree up to rounding, more where the pose hardly fixes them."""
-        miss = self._difference(rows, others)
-        if miss.size and float(miss.max()) > self._conditioned(rows):
-            raise VerificationError(f"{where}: Python and {what} differ by {miss.max():.1e}")
-
-    def _conditioned(self, rows: Array) -> float:
-        """AGREEMENT over the smallest singular value of the Jacobian."""
-        least = 1.0
-        for row in rows:
-            jacobian = np.array(self._python.jacobian(row))
-            jacobian[:3] /= self._scale
-            values = np.linalg.svd(jacobian, compute_uv=False)
-            least = min(least, float(values[min(len(values), self._chain.dof) - 1]))
-        return AGREEMENT / max(least, 1e-9)
-
-    def _difference(self, rows: Array, others: Array) -> Array:
-        miss = np.abs(rows - others)
-        turned = np.abs(miss - 2.0 * np.pi * np.round(miss / (2.0 * np.pi)))
-        return np.where(self._turns, turned, miss / self._scale)
+        if len(rows):
+            jacobians = [self._python.jacobian(row) for row in rows]
+            enough = AGREEMENT / max(self._measures.conditioning(jacobians), 1e-9)
+            miss = float(self._measures.joint_miss(rows, others).max())
+            self._demand(miss, enough, f"{where}: Python and {what} differ")
 
     def _reproduce(self, rows: Array, T: Array, where: str) -> None:
-        if not len(rows):
-            return
-        reached = self._arm.pose(rows)
-        for name in task_entries(self._chain.task):
-            i, j = int(name[1]) - 1, int(name[2]) - 1
-            scale = max(self._scale, float(np.abs(T[:3, 3]).max())) if j == 3 else 1.0
-            miss = float(np.abs(reached[:, i, j] - T[i, j]).max()) / scale
+        if len(rows):
+            miss = self._measures.residual(rows, T)
             self.residual = max(self.residual, miss)
-            if not miss <= (RESIDUAL if self._has_branches else GENERAL_RESIDUAL):
-                raise VerificationError(f"{where}: a row misses T[{i},{j}] by {miss:.1e} arm sizes")
+            enough = RESIDUAL if self._has_branches else GENERAL_RESIDUAL
+            self._demand(miss, enough, f"{where}: a row misses the pose, in arm sizes")
 
-    def _recover(self, rows: Array, q: Array, where: str) -> None:
-        miss = self._difference(rows, q).max(axis=1)
-        if not miss.min() <= FOUND:
-            raise VerificationError(f"{where}: not among the solutions (nearest {miss.min():.1e})")
+    def _recover(self, rows: Array, q: Array, T: Array, where: str) -> None:
+        """The generating joint values are among the rows, and the nearest to themselves."""
+        miss = float(self._measures.joint_miss(rows, q).max(axis=1).min())
+        self._demand(miss, FOUND, f"{where}: not among the solutions, the nearest is off")
+        given = self._given(q)
+        nearest = {"Python's ik": self._python.ik(T, *given, q)}
+        if self._c is not None:
+            nearest["C's ik_nearest"] = self._c.nearest(T, q, *given)
+        for what, found in nearest.items():
+            miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
+            self._demand(miss, FOUND, f"{where}: {what} is off")
 
-    def _near(self, got: Array, wanted: Array, tolerance: float, what: str, where: str) -> None:
-        miss = float(np.abs(got - wanted).max())
-        if not miss <= tolerance * max(1.0, float(np.abs(wanted).max())):
-            raise VerificationError(f"{where}: {what} is off by {miss:.1e}")
+    def _given(self, q: Array) -> list[Array]:
+        """The argument for free joints, where there are any."""
+        return [q[self._free]] if self._free else []
+
+    def _demand(self, miss: float, enough: float, what: str) -> None:
+        if not miss <= enough:
+            raise VerificationError(f"{what} by {miss:.1e}")

@@ -1,0 +1,81 @@
+"""How far answers are from right, by the independent forward model: lengths count in arm sizes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.numeric import NumericArm, numeric_arm
+from dhgen.paul.problem import task_entries
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+
+    Array = NDArray[np.float64]
+
+STEP = 1e-5  # [rad or length] of the differences
+
+
+class Measures:
+    """Measures of one arm.
+
+    Attributes:
+        arm: The independent forward model.
+    """
+
+    def __init__(self, chain: Chain) -> None:
+        self.arm: NumericArm = numeric_arm(chain)
+        self._chain = chain
+        self._turns = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
+
+    def pose_miss(self, got: Array, T: Array) -> float:
+        """The largest difference of two poses' entries, relative to how far the pose is away."""
+        scale = np.ones((4, 4))
+        scale[:3, 3] = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
+        return float(np.abs((got - T) / scale).max())
+
+    def jacobian_miss(self, got: Array, q: Array, T: Array) -> float:
+        """The largest difference from the Jacobian by central differences, relative to its size."""
+        wanted = self._jacobian(q, T)
+        return float(np.abs(got - wanted).max()) / max(1.0, float(np.abs(wanted).max()))
+
+    def joint_miss(self, rows: Array, others: Array) -> Array:
+        """Differences of joint values, whole turns aside."""
+        miss = np.abs(rows - others)
+        turned = np.abs(miss - 2.0 * np.pi * np.round(miss / (2.0 * np.pi)))
+        return np.asarray(np.where(self._turns, turned, miss / self._chain.size))
+
+    def residual(self, rows: Array, T: Array) -> float:
+        """The largest miss of the pose's entries that the task names, by any row."""
+        reached = self.arm.pose(rows)
+        worst = 0.0
+        for name in sorted(task_entries(self._chain.task)):
+            i, j = int(name[1]) - 1, int(name[2]) - 1
+            away = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
+            miss = float(np.abs(reached[:, i, j] - T[i, j]).max()) / (away if j == 3 else 1.0)
+            worst = max(worst, miss) if miss == miss else np.inf  # noqa: PLR0124 - NaN
+        return worst
+
+    def conditioning(self, jacobians: list[Array]) -> float:
+        """The smallest singular value that still fixes a joint, of all rows and at most 1."""
+        least = 1.0
+        for jacobian in jacobians:
+            relative = np.array(jacobian)
+            relative[:3] /= self._chain.size
+            values = np.linalg.svd(relative, compute_uv=False)
+            least = min(least, float(values[min(len(values), self._chain.dof) - 1]))
+        return least
+
+    def _jacobian(self, q: Array, T: Array) -> Array:
+        columns = []
+        for joint in range(self._chain.dof):
+            move = np.zeros(self._chain.dof)
+            move[joint] = STEP
+            rate = (self.arm.pose(q + move) - self.arm.pose(q - move)) / (2.0 * STEP)
+            spin = rate[:3, :3] @ T[:3, :3].T
+            columns.append([*rate[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
+        return np.array(columns).T
