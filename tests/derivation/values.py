@@ -85,8 +85,8 @@ def _function(formula: Root | Size | Call, letters: Letters) -> Value:
             values = [evaluate(argument, letters) for argument in arguments]
             if function == "sgn":
                 return math.copysign(1.0, values[0])
-            assert function == "atan2"
-            return math.atan2(*values)
+            known = {"atan2": math.atan2, "cos": math.cos, "sin": math.sin, "tan": math.tan}
+            return known[function](*values)
 
 
 def letters_of(story: Story, q: Sequence[float]) -> Letters:
