@@ -27,10 +27,12 @@ class Sample:
     Attributes:
         name: What sort.
         q: Shape (N, n), inside the limits.
+        near: Whether some lie beside singular ones, where rounding may decide which they are.
     """
 
     name: str
     q: Array
+    near: bool = False
 
 
 def samples(chain: Chain, count: int) -> tuple[Sample, ...]:
@@ -48,7 +50,7 @@ def samples(chain: Chain, count: int) -> tuple[Sample, ...]:
         Sample("random", everywhere),
         Sample("right angles", right),
         Sample("some joints at right angles", mixed),
-        Sample("near right angles", np.clip(near, low, high)),
+        Sample("near right angles", np.clip(near, low, high), near=True),
         Sample("at joint limits", edge),
     )
 
@@ -80,13 +82,16 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
 
 
 def spoiled_poses(task: Task, T: Array) -> list[Array]:
-    """Poses like T that are none: not finite, mirrored, stretched."""
+    """Poses like T that are none: not finite, mirrored, stretched, in other coordinates."""
     rotation = task.kind in {TaskKind.POSE, TaskKind.ORIENTATION}
     row = "xyz".index(task.coordinates[0]) if task.coordinates else 0
     column = 0 if task.kind is TaskKind.ORIENTATION else 3
     spoiled = [T.copy() for _ in range(4 if rotation else 2)]
     spoiled[0][row, column] = np.nan
     spoiled[1][row, column] = np.inf
+    if task.kind is TaskKind.POSE:
+        spoiled.append(T.copy())
+        spoiled[-1][3, 3] = 0.5
     if rotation:
         spoiled[2][:3, 0] *= -1.0
         spoiled[3][:3, :3] *= 1.01

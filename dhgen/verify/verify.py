@@ -37,6 +37,7 @@ RESIDUAL = 1e-11  # of the arm's size: what a row may miss its pose by
 GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
 AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
 FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses
+FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them
 JACOBIAN = 1e-6  # against central differences
 
 
@@ -107,8 +108,11 @@ class _Checker:
             # where an arm is singular, rounding may move a solution a little beyond a limit
             if not (solved if random else held).any():
                 raise VerificationError(f"{where}: no row holds a solution")
+            if self._has_branches and not sample.near:
+                self._recover(rows[held], q, FOUND if random else FOUND_SINGULAR, where)
             if random:
-                self._recover(rows[solved], q, T, where)
+                self._recover(rows[solved], q, FOUND, where)
+                self._nearest(q, T, where)
                 self._agree(rows[held], meant.q[number][held], "the program's meaning", where)
             self.poses += 1
             self.solutions += int(solved.sum())
@@ -172,10 +176,13 @@ class _Checker:
             enough = RESIDUAL if self._has_branches else GENERAL_RESIDUAL
             self._demand(miss, enough, f"{where}: a row misses the pose, in arm sizes")
 
-    def _recover(self, rows: Array, q: Array, T: Array, where: str) -> None:
-        """The generating joint values are among the rows, and the nearest to themselves."""
+    def _recover(self, rows: Array, q: Array, enough: float, where: str) -> None:
+        """The generating joint values are among the rows: free joints took them from the seed."""
         miss = float(self._measures.joint_miss(rows, q).max(axis=1).min())
-        self._demand(miss, FOUND, f"{where}: not among the solutions, the nearest is off")
+        self._demand(miss, enough, f"{where}: not among the solutions, the nearest is off")
+
+    def _nearest(self, q: Array, T: Array, where: str) -> None:
+        """The generating joint values are the nearest to themselves."""
         given = self._given(q)
         nearest = {"Python's ik": self._python.ik(T, *given, q)}
         if self._c is not None:

@@ -1,0 +1,168 @@
+"""A written file with one wrong sign is refused, wherever the sign stands, in Python and in C."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import numba
+import pytest
+
+from dhgen.compiler import Compilation, compile_robot, verified
+from dhgen.errors import VerificationError
+from dhgen.verify.verify import verify
+from tests.targets.made import ROBOTS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+NAME = "planar_rrr"
+
+
+@pytest.fixture(scope="module")
+def compilation() -> Compilation:
+    return compile_robot(ROBOTS / f"{NAME}.yaml")
+
+
+@pytest.fixture(scope="module")
+def scara() -> Compilation:
+    return compile_robot(ROBOTS / "scara.yaml")
+
+
+@contextmanager
+def refused(what: str) -> Iterator[None]:
+    """Verification must not let this pass."""
+    try:
+        yield
+    except (VerificationError, IndexError):  # an index out of range ends plain Python
+        return
+    pytest.fail(f"not seen: {what}")
+
+
+@pytest.fixture(autouse=True)
+def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The modules run as plain Python: what is wrong in them is wrong all the same, and sooner."""
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 15)
+
+
+def written(compilation: Compilation, folder: Path, file: str, text: str) -> Path:
+    for name, own in compilation.files.items():
+        (folder / name).write_text(text if name == file else own, encoding="utf-8")
+    return folder
+
+
+def formulas(text: str, begin: str, end: str) -> list[tuple[int, int]]:
+    """Places of the signs between two numbers, in the statements of one function."""
+    start = text.index(begin)
+    body = text[start : text.index(end, start)]
+    body = re.sub(
+        r"LOST \+.*\n.*", lambda lost: "." * len(lost[0]), body
+    )  # test_ur5_free looks at it
+    signs = re.finditer(r"[\w\])] ([+-]) [\w(]", body)
+    return [(start + sign.start(1), start + sign.end(1)) for sign in signs]
+
+
+def flipped(text: str, place: tuple[int, int]) -> str:
+    sign = {"+": "-", "-": "+"}[text[place[0] : place[1]]]
+    return text[: place[0]] + sign + text[place[1] :]
+
+
+PYTHON = {"fk": "def fk(", "jacobian": "def jacobian(", "solve": "def _solve("}
+C = {"fk": f"void {NAME}_fk", "jacobian": f"void {NAME}_jacobian", "solve": "static void solve"}
+FEWEST = {"fk": 4, "jacobian": 4, "solve": 12}
+
+
+@pytest.mark.parametrize("function", PYTHON)
+def test_every_sign_of_python(compilation: Compilation, function: str, tmp_path: Path) -> None:
+    text = compilation.files[f"{NAME}.py"]
+    places = formulas(text, PYTHON[function], "\n\n\n")
+    assert len(places) >= FEWEST[function]
+    for place in places:
+        folder = written(compilation, tmp_path, f"{NAME}.py", flipped(text, place))
+        with refused(text[place[0] - 60 : place[1] + 40]):
+            verify(compilation.module, folder)
+
+
+@pytest.mark.parametrize("function", C)
+def test_every_fifth_sign_of_c(compilation: Compilation, function: str, tmp_path: Path) -> None:
+    text = compilation.files[f"{NAME}.c"]
+    places = formulas(text, C[function], "\n}\n")[:: 5 if function == "solve" else 3]
+    assert places
+    for number, place in enumerate(places):
+        # a library is loaded once a path
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        written(compilation, folder, f"{NAME}.c", flipped(text, place))
+        with refused(text[place[0] - 60 : place[1] + 40]):
+            verify(compilation.module, folder)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("    if not rest <= ", "    if rest > 1e9 + "),  # the last row is not looked at
+        ("math.isfinite(T[0, 3])", "True"),
+        ("return _misfit(T) <= ", "return _misfit(T) <= 1e9 + "),
+        ("status[row] = OUT_OF_LIMITS", "pass"),
+        ("    value += _TURN * math.floor", "    value -= _TURN * math.floor"),
+        ("weight @ (values - seed)", "weight @ (values + seed)"),
+        ("if distance < least:", "if distance > least or best is None:"),
+        ("else OK\n", "else FREE_JOINT\n"),
+    ],
+)
+def test_a_check_that_is_left_out(scara: Compilation, old: str, new: str, tmp_path: Path) -> None:
+    text = scara.files["scara.py"].replace("_WEIGHT", "weight")
+    assert old in text
+    folder = written(scara, tmp_path, "scara.py", text.replace(old, new))
+    with refused(f"{new} for {old}"):
+        verify(scara.module, folder)
+
+
+def test_what_does_not_compile(compilation: Compilation, tmp_path: Path) -> None:
+    text = compilation.files[f"{NAME}.c"].replace("return count;", "return counted;")
+    folder = written(compilation, tmp_path, f"{NAME}.c", text)
+    with pytest.raises(VerificationError, match=f"{NAME}.c does not compile:(.|\n)*counted"):
+        verify(compilation.module, folder)
+
+
+def test_what_only_warns(compilation: Compilation, tmp_path: Path) -> None:
+    text = compilation.files[f"{NAME}.c"].replace("int count = 0;", "int count = 0, unused = 1;")
+    folder = written(compilation, tmp_path, f"{NAME}.c", text)
+    with pytest.raises(VerificationError, match="unused"):
+        verify(compilation.module, folder)
+
+
+def test_as_it_is_it_passes(compilation: Compilation) -> None:
+    report = verified(compilation)
+    assert (report.poses, report.compiled) == (75, shutil.which("cc") is not None)
+    assert report.solutions > 75
+    assert report.residual < 1e-13
+
+
+def test_without_a_c_compiler_python_is_verified_alone(
+    compilation: Compilation,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CC", raising=False)
+    report = verified(compilation)
+    assert (report.poses, report.compiled) == (75, False)
+
+
+def test_cc_names_the_compiler(
+    compilation: Compilation,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    """A compiler of one's own, which refuses everything."""
+    refusing = tmp_path / "refusing"
+    refusing.write_text("#!/bin/sh\necho no thanks >&2\nexit 1\n")
+    refusing.chmod(0o755)
+    monkeypatch.setenv("CC", str(refusing))
+    with pytest.raises(VerificationError, match="no thanks"):
+        verified(compilation)
