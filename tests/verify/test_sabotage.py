@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-NAME = "planar_rrr"
+NAME = "arm_3r"
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def refused(what: str) -> Iterator[None]:
     """Verification must not let this pass."""
     try:
         yield
-    except (VerificationError, IndexError):  # an index out of range ends plain Python
+    except (VerificationError, IndexError, ValueError):  # the last two end plain Python only
         return
     pytest.fail(f"not seen: {what}")
 
@@ -46,7 +46,7 @@ def refused(what: str) -> Iterator[None]:
 def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
     """The modules run as plain Python: what is wrong in them is wrong all the same, and sooner."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    monkeypatch.setattr("dhgen.verify.verify.COUNT", 15)
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 30)
 
 
 def written(compilation: Compilation, folder: Path, file: str, text: str) -> Path:
@@ -59,9 +59,9 @@ def formulas(text: str, begin: str, end: str) -> list[tuple[int, int]]:
     """Places of the signs between two numbers, in the statements of one function."""
     start = text.index(begin)
     body = text[start : text.index(end, start)]
-    body = re.sub(
-        r"LOST \+.*\n.*", lambda lost: "." * len(lost[0]), body
-    )  # test_ur5_free looks at it
+    # where rows stand: wrong numbers there write beyond C's arrays
+    hidden = r"LOST \+.*\n.*|.* row = .*"
+    body = re.sub(hidden, lambda lines: "." * len(lines[0]), body)
     signs = re.finditer(r"[\w\])] ([+-]) [\w(]", body)
     return [(start + sign.start(1), start + sign.end(1)) for sign in signs]
 
@@ -108,7 +108,7 @@ def test_every_fifth_sign_of_c(compilation: Compilation, function: str, tmp_path
         ("math.isfinite(T[0, 3])", "True"),
         ("return _misfit(T) <= ", "return _misfit(T) <= 1e9 + "),
         ("status[row] = OUT_OF_LIMITS", "pass"),
-        ("    value += _TURN * math.floor", "    value -= _TURN * math.floor"),
+        ("= given + _TURN * math.floor", "= given - _TURN * math.floor"),
         ("weight @ (values - seed)", "weight @ (values + seed)"),
         ("if distance < least:", "if distance > least or best is None:"),
         ("else OK\n", "else FREE_JOINT\n"),
@@ -138,8 +138,8 @@ def test_what_only_warns(compilation: Compilation, tmp_path: Path) -> None:
 
 def test_as_it_is_it_passes(compilation: Compilation) -> None:
     report = verified(compilation)
-    assert (report.poses, report.compiled) == (75, shutil.which("cc") is not None)
-    assert report.solutions > 75
+    assert (report.poses, report.compiled) == (150, shutil.which("cc") is not None)
+    assert report.solutions > 150
     assert report.residual < 1e-13
 
 
@@ -151,7 +151,7 @@ def test_without_a_c_compiler_python_is_verified_alone(
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.delenv("CC", raising=False)
     report = verified(compilation)
-    assert (report.poses, report.compiled) == (75, False)
+    assert (report.poses, report.compiled) == (150, False)
 
 
 def test_cc_names_the_compiler(

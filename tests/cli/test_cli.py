@@ -1,0 +1,249 @@
+"""The command line: exit codes, what is written and what is not, and --check."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from dhgen.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+PLANAR = ROOT / "robots" / "planar_rr.yaml"
+FILES = ["dhgen_pose.c", "dhgen_pose.h", "dhgen_pose.py"] + [
+    f"planar_rr.{end}" for end in ("c", "h", "md", "py")
+]
+WRONG = """\
+name: wrong
+title: wrong
+source: made up
+convention: standard
+joints:
+  - {theta: q, d: x, a: 0, alpha: 0}
+task: pose
+"""
+UNSOLVABLE = """\
+name: redundant
+title: A planar arm with a joint to spare
+source: made up
+convention: standard
+joints:
+  - {theta: q, d: 0, a: 0.4, alpha: 0}
+  - {theta: q, d: 0, a: 0.3, alpha: 0}
+  - {theta: q, d: 0, a: 0.2, alpha: 0}
+  - {theta: q, d: 0, a: 0.1, alpha: 0}
+task: pose
+"""
+
+
+def dhgen(*words: str | Path, folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a folder."""
+    return subprocess.run(
+        [sys.executable, "-m", "dhgen", *map(str, words)],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(ROOT)} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir() if path.is_file())
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which `dhgen robots/planar_rr.yaml` was run."""
+    folder = tmp_path_factory.mktemp("written")
+    (folder / "robots").mkdir()
+    shutil.copy(PLANAR, folder / "robots")
+    done = dhgen("robots/planar_rr.yaml", folder=folder)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "verified on 750 poses" in done.stdout
+    assert "wrote generated/planar_rr.py" in done.stdout
+    assert "\x1b" not in done.stdout
+    return folder
+
+
+def test_what_is_written(written: Path) -> None:
+    assert names(written / "generated") == FILES
+
+
+@pytest.mark.parametrize("way", ["--check", "unchanged sources"])
+def test_check_is_content(written: Path, way: str) -> None:
+    before = {name: (written / "generated" / name).stat().st_mtime_ns for name in FILES}
+    done = dhgen("--check", "robots/planar_rr.yaml", folder=written)
+    assert (done.returncode, done.stderr) == (0, ""), way
+    assert done.stdout == "generated: up to date with 1 robot files\n"
+    assert {name: (written / "generated" / name).stat().st_mtime_ns for name in FILES} == before
+
+
+def copy(written: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(written, tmp_path / "copy"))
+
+
+def test_check_sees_a_change(written: Path, tmp_path: Path) -> None:
+    folder = copy(written, tmp_path)
+    path = folder / "generated" / "planar_rr.c"
+    path.write_text(path.read_text().replace("a1 = 0.", "a1 = 1.", 1))
+    done = dhgen("--check", "robots/planar_rr.yaml", folder=folder)
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert done.stderr.startswith("generated/planar_rr.c: changed\n--- generated/planar_rr.c\n")
+    assert "\n-static const double a1 = 1." in done.stderr
+    assert "\n+static const double a1 = 0." in done.stderr
+    assert done.stderr.endswith("\n  to mend: dhgen robots/planar_rr.yaml\n")
+    assert dhgen("robots/planar_rr.yaml", folder=folder).returncode == 0
+    assert dhgen("--check", "robots/planar_rr.yaml", folder=folder).returncode == 0
+
+
+def test_check_sees_line_ends(written: Path, tmp_path: Path) -> None:
+    folder = copy(written, tmp_path)
+    path = folder / "generated" / "planar_rr.h"
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    assert dhgen("--check", "robots/planar_rr.yaml", folder=folder).returncode == 1
+
+
+def test_check_sees_what_is_missing_and_what_is_extra(written: Path, tmp_path: Path) -> None:
+    folder = copy(written, tmp_path)
+    (folder / "generated" / "planar_rr.md").unlink()
+    (folder / "generated" / "old_robot.c").write_text("")
+    (folder / "generated" / "notes.txt").write_text("not ours")
+    done = dhgen("--check", "robots/planar_rr.yaml", folder=folder)
+    assert done.returncode == 1
+    assert done.stderr == (
+        "generated/planar_rr.md: missing\n"
+        "  to mend: dhgen robots/planar_rr.yaml\n"
+        "generated/old_robot.c: extra file, no robot file makes it\n"
+        "  to mend: rm generated/old_robot.c\n"
+    )
+
+
+def test_check_of_another_folder_names_it(written: Path, tmp_path: Path) -> None:
+    done = dhgen("--check", "robots/planar_rr.yaml", "--out", tmp_path / "none", folder=written)
+    assert done.returncode == 1
+    assert f"to mend: dhgen robots/planar_rr.yaml --out {tmp_path / 'none'}\n" in done.stderr
+    assert not (tmp_path / "none").exists()
+
+
+def test_another_working_directory_makes_the_same_bytes(written: Path, tmp_path: Path) -> None:
+    done = dhgen(PLANAR, "--out", tmp_path / "out", folder=tmp_path)
+    assert done.returncode == 0
+    for name in FILES:
+        assert (tmp_path / "out" / name).read_bytes() == (written / "generated" / name).read_bytes()
+
+
+BYTES = """
+import sys, hashlib
+from pathlib import Path
+from dhgen.compiler import compile_robot
+for name in ("scara", "puma560", "ur5"):
+    files = compile_robot(Path("robots") / f"{name}.yaml").files
+    print(hashlib.sha256(repr(sorted(files.items())).encode()).hexdigest())
+"""
+
+
+def digest(**environment: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-c", BYTES],
+        cwd=ROOT,
+        env=os.environ | {"PYTHONPATH": str(ROOT)} | environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert len(done.stdout.split()) == 3
+    return done.stdout
+
+
+def test_neither_hash_seed_nor_ground_type_changes_a_byte() -> None:
+    plain = digest(PYTHONHASHSEED="0", SYMPY_GROUND_TYPES="python")
+    assert digest(PYTHONHASHSEED="1", SYMPY_GROUND_TYPES="python") == plain
+    pytest.importorskip("flint", reason="python-flint is optional")
+    assert digest(PYTHONHASHSEED="2", SYMPY_GROUND_TYPES="flint") == plain
+
+
+def test_a_mistake_in_a_file_is_exit_2_and_nothing_is_written(tmp_path: Path) -> None:
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    for words in (["wrong.yaml"], ["--check", "wrong.yaml"], ["explain", "wrong.yaml"]):
+        done = dhgen(*words, folder=tmp_path)
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr.startswith("wrong.yaml:6:19: ")
+        assert "Traceback" not in done.stderr
+        assert names(tmp_path) == ["wrong.yaml"]
+
+
+def test_an_arm_without_a_solution_is_exit_1_and_nothing_is_written(tmp_path: Path) -> None:
+    (tmp_path / "redundant.yaml").write_text(UNSOLVABLE)
+    done = dhgen("redundant.yaml", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "infinitely many solutions" in done.stderr
+    assert names(tmp_path) == ["redundant.yaml"]
+    assert not (tmp_path / "generated").exists()
+
+
+def test_one_bad_file_among_good_ones(tmp_path: Path) -> None:
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    done = dhgen("wrong.yaml", PLANAR, folder=tmp_path)
+    assert done.returncode == 2
+    assert names(tmp_path / "generated") == FILES
+
+
+def test_what_fails_verification_is_not_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("dhgen.verify.verify.RESIDUAL", 1e-30)
+    assert main([str(PLANAR)]) == 1
+    assert "a row misses the pose" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_such_file(tmp_path: Path) -> None:
+    done = dhgen("none.yaml", folder=tmp_path)
+    assert done.returncode == 2
+    assert "none.yaml" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("words", [[], ["--chekc", "a.yaml"], ["explain"]])
+def test_a_mistake_on_the_command_line_is_exit_2(words: list[str], tmp_path: Path) -> None:
+    done = dhgen(*words, folder=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr.startswith("usage: dhgen")
+
+
+def test_help_needs_no_sympy(tmp_path: Path) -> None:
+    done = dhgen("--help", folder=tmp_path, PYTHONPROFILEIMPORTTIME="1")
+    assert done.returncode == 0
+    assert "exit codes: 0 done" in done.stdout
+    assert "argparse" in done.stderr
+    assert "sympy" not in done.stderr
+
+
+@pytest.mark.parametrize("option", [[], ["--alternatives"], ["--program"]])
+def test_explain(option: list[str], tmp_path: Path) -> None:
+    done = dhgen("explain", PLANAR, *option, folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert {"θ₂", "theta2"} & set(re.split(r"[\s:,;.$]", done.stdout))
+    assert names(tmp_path) == []
+
+
+def test_a_reader_who_has_seen_enough(tmp_path: Path) -> None:
+    """`dhgen explain x.yaml | head -1` ends without a traceback."""
+    command = f"{sys.executable} -m dhgen explain {PLANAR} | head -1"
+    done = subprocess.run(
+        ["/bin/sh", "-c", command],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr
