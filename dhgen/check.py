@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -69,12 +70,9 @@ def _difference(path: Path, text: str) -> str | None:
 
 def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
     """Files of the output folder that neither these robot files nor their neighbours make."""
-    neighbours = {
-        each.stem
-        for folder in {path.resolve().parent for path in files}
-        for each in folder.glob("*.yaml")
-    }
-    known = {path.stem for path in files}
+    folders = {path.resolve().parent for path in files}
+    neighbours = {_robot_name(each) for folder in folders for each in folder.glob("*.yaml")}
+    known = {_robot_name(path) for path in files}
     if not out.is_dir():
         return []
     return sorted(
@@ -84,6 +82,13 @@ def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
         and path.name not in expected
         and (path.stem in known or path.stem not in neighbours)
     )
+
+
+def _robot_name(path: Path) -> str:
+    """The name that a robot file gives itself, or that of the file."""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    found = re.search(r"^name:\s*(\w+)", text, re.MULTILINE)
+    return found.group(1) if found else path.stem
 
 
 def _out_option(out: Path) -> str:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import io
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.errors import DhgenError
+from dhgen.errors import DhgenError, VerificationError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,6 +30,9 @@ exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the comma
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal that can't show a letter shows ?
+            stream.reconfigure(errors="replace")
     try:
         if words[:1] == ["explain"]:
             return _explain(_explain_parser().parse_args(words[1:]))
@@ -40,6 +44,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # the reader of our output has seen enough
         sys.stderr.close()
         return 0
+    except OSError as error:
+        print(f"dhgen: {error.strerror or error}: {error.filename or 'output'}", file=sys.stderr)
+        return 1
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -84,18 +91,28 @@ def _write(options: argparse.Namespace) -> int:
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
 
     worst = 0
+    written: dict[str, Path] = {}
     for path in options.files:
         try:
             compilation = _compile(path)
             for notice in compilation.robot.notices:
                 print(f"note: {notice}", file=sys.stderr)
             module = compilation.module
+            print(f"{compilation.robot.name}: {compilation.robot.title}")
             print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
             report = verified(compilation, _tell)
         except DhgenError as error:
             print(error, file=sys.stderr)
+            if isinstance(error, VerificationError):
+                print("the fault is dhgen's, not the file's; nothing is written", file=sys.stderr)
             worst = max(worst, error.exit_code)
             continue
+        name = compilation.robot.name
+        if name in written:
+            print(f"{path}: {written[name]} has the same name, '{name}'", file=sys.stderr)
+            worst = max(worst, 2)
+            continue
+        written[name] = path
         options.out.mkdir(parents=True, exist_ok=True)
         for name, text in compilation.files.items():
             (options.out / name).write_text(text, encoding="utf-8", newline="\n")

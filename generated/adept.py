@@ -72,6 +72,8 @@ def _wrap(angle):
 @njit(cache=True, error_model="numpy")
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     T = np.zeros((4, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -97,6 +99,8 @@ def fk(q):
 @njit(cache=True, error_model="numpy")
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     J = np.zeros((6, 3))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -236,17 +240,17 @@ def _read(T):
 
 
 @njit(cache=True, error_model="numpy")
-def _turned(joint, value, towards):
+def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
-        return value
+        return given
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
-    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
         value += _TURN * math.ceil((low - value) / _TURN)
-    return value
+    return value if value <= high else given
 
 
 @njit(cache=True, error_model="numpy")
@@ -284,7 +288,7 @@ def _ik_batch(T, q, status):
 def ik_into(T, q, status, q_seed=_ZEROS):
     """All solutions into the caller's arrays, for control loops.
 
-    Nothing is checked but the pose. No memory is allocated.
+    Besides the pose only shapes are checked. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
@@ -295,6 +299,8 @@ def ik_into(T, q, status, q_seed=_ZEROS):
     Returns:
         How many rows are OK or FREE_JOINT.
     """
+    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+        raise ValueError("T, q and status must be (4, 4), (1, 3) and (1,)")
     return _ik(T, q_seed, q, status)
 
 

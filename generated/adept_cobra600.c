@@ -220,10 +220,11 @@ static void solve(
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
-static double turned(int joint, double value, double towards)
+static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09;
     const double high = highest[joint] + 1e-09;
+    double value = given;
     if (!revolute[joint])
         return value;
     value += turn * floor((towards - value) / turn + 0.5);
@@ -231,7 +232,7 @@ static double turned(int joint, double value, double towards)
         value -= turn * ceil((value - high) / turn);
     if (value < low)
         value += turn * ceil((low - value) / turn);
-    return value;
+    return value <= high ? value : given;
 }
 
 static int inside(int joint, double value)

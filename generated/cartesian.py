@@ -55,6 +55,8 @@ class Unreachable(ValueError):  # noqa: N818
 @njit(cache=True, error_model="numpy")
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     T = np.zeros((4, 4))
     T[0, 2] = 1.0
     T[0, 3] = q[2]
@@ -69,6 +71,8 @@ def fk(q):
 @njit(cache=True, error_model="numpy")
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     J = np.zeros((6, 3))
     J[0, 2] = 1.0
     J[1, 1] = 1.0
@@ -139,7 +143,7 @@ def _ik_batch(T, q, status):
 def ik_into(T, q, status, q_seed=_ZEROS):
     """All solutions into the caller's arrays, for control loops.
 
-    Nothing is checked but the pose. No memory is allocated.
+    Besides the pose only shapes are checked. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
@@ -150,6 +154,8 @@ def ik_into(T, q, status, q_seed=_ZEROS):
     Returns:
         How many rows are OK or FREE_JOINT.
     """
+    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+        raise ValueError("T, q and status must be (4, 4), (1, 3) and (1,)")
     return _ik(T, q_seed, q, status)
 
 

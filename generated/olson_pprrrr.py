@@ -77,6 +77,8 @@ def _wrap(angle):
 @njit(cache=True, error_model="numpy")
 def fk(q):
     """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
     T = np.zeros((4, 4))
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
@@ -121,6 +123,8 @@ def fk(q):
 @njit(cache=True, error_model="numpy")
 def jacobian(q):
     """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
     J = np.zeros((6, 6))
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
@@ -334,17 +338,17 @@ def _read(T):
 
 
 @njit(cache=True, error_model="numpy")
-def _turned(joint, value, towards):
+def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
-        return value
+        return given
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
-    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
         value += _TURN * math.ceil((low - value) / _TURN)
-    return value
+    return value if value <= high else given
 
 
 @njit(cache=True, error_model="numpy")
@@ -465,7 +469,7 @@ def _ik_batch(T, q, status):
 def ik_into(T, q, status, q_seed=_ZEROS):
     """All solutions into the caller's arrays, for control loops.
 
-    Nothing is checked but the pose. Memory is allocated only where a free
+    Besides the pose only shapes are checked. Memory is allocated only where a free
     joint can't keep the seed's value.
 
     Args:
@@ -477,6 +481,8 @@ def ik_into(T, q, status, q_seed=_ZEROS):
     Returns:
         How many rows are OK or FREE_JOINT.
     """
+    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+        raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
     return _ik(T, q_seed, q, status)
 
 

@@ -89,6 +89,8 @@ def _wrap(angle):
 @njit(cache=True, error_model="numpy")
 def fk(q):
     """The pose (4, 4) of the joint values q (5,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
     T = np.zeros((4, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -143,6 +145,8 @@ def fk(q):
 @njit(cache=True, error_model="numpy")
 def jacobian(q):
     """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
     J = np.zeros((6, 5))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -374,15 +378,15 @@ def _read(T):
 
 
 @njit(cache=True, error_model="numpy")
-def _turned(joint, value, towards):
+def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
-    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
         value += _TURN * math.ceil((low - value) / _TURN)
-    return value
+    return value if value <= high else given
 
 
 @njit(cache=True, error_model="numpy")
@@ -503,7 +507,7 @@ def _ik_batch(T, q_free, q, status):
 def ik_into(T, q_free, q, status, q_seed=_ZEROS):
     """All solutions into the caller's arrays, for control loops.
 
-    Nothing is checked but the pose. Memory is allocated only where a free
+    Besides the pose only shapes are checked. Memory is allocated only where a free
     joint can't keep the seed's value.
 
     Args:
@@ -516,6 +520,8 @@ def ik_into(T, q_free, q, status, q_seed=_ZEROS):
     Returns:
         How many rows are OK or FREE_JOINT.
     """
+    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
     return _ik(T, q_free, q_seed, q, status)
 
 

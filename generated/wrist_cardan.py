@@ -59,6 +59,8 @@ class Unreachable(ValueError):  # noqa: N818
 @njit(cache=True, error_model="numpy")
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     T = np.zeros((4, 4))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -90,6 +92,8 @@ def fk(q):
 @njit(cache=True, error_model="numpy")
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
     J = np.zeros((6, 3))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
@@ -201,15 +205,15 @@ def _read(T):
 
 
 @njit(cache=True, error_model="numpy")
-def _turned(joint, value, towards):
+def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
-    value += _TURN * math.floor((towards - value) / _TURN + 0.5)
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
         value += _TURN * math.ceil((low - value) / _TURN)
-    return value
+    return value if value <= high else given
 
 
 @njit(cache=True, error_model="numpy")
@@ -247,7 +251,7 @@ def _ik_batch(T, q, status):
 def ik_into(T, q, status, q_seed=_ZEROS):
     """All solutions into the caller's arrays, for control loops.
 
-    Nothing is checked but the pose. No memory is allocated.
+    Besides the pose only shapes are checked. No memory is allocated.
 
     Args:
         T: Pose (4, 4), float64.
@@ -258,6 +262,8 @@ def ik_into(T, q, status, q_seed=_ZEROS):
     Returns:
         How many rows are OK or FREE_JOINT.
     """
+    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+        raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
     return _ik(T, q_seed, q, status)
 
 

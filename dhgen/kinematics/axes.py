@@ -60,10 +60,17 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
 def _read(
     robot: Robot, reference: ReferenceAxes, table: ConstantTable
 ) -> tuple[list[Axis], Transform, Transform, Transform]:
+    first: dict[tuple[str, Expression], tuple[str, str]] = {}
+
+    def coordinate(i: int, x: str, cell: Expression) -> Polynomial:
+        """Axes at one height share its name, so that what coincides in the file does here."""
+        name, meaning = first.setdefault((x, cell), (f"p{i}{x}", f"{x} of axis {i}"))
+        return table.length(cell, name, meaning)
+
     axes = [
         (
             [table.scalar(c, f"u{i}{x}", f"{x} of axis {i}") for x, c in _xyz(joint.direction)],
-            [table.length(c, f"p{i}{x}", f"{x} of axis {i}") for x, c in _xyz(joint.point)],
+            [coordinate(i, x, c) for x, c in _xyz(joint.point)],
         )
         for i, joint in enumerate(reference.axes, start=1)
     ]

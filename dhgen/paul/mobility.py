@@ -32,6 +32,8 @@ def immobility(chain: Chain) -> str | None:
     """Why the arm has infinitely many solutions everywhere, or None when it has not."""
     source = np.random.default_rng(3)
     solved = [joint.number for joint in chain.joints if joint.number not in chain.free]
+    if not solved:
+        return "every joint is free: there is nothing to solve"
     moving = np.ones(len(solved), dtype=bool)
     surplus = len(solved)
     for _ in range(POSITIONS):

@@ -5,12 +5,16 @@ from __future__ import annotations
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.branches import branch_words
 from dhgen.paul.problem import task_entries
 from dhgen.program.angles import Angles
 from dhgen.program.builder import Builder
 from dhgen.program.general import general_program
+from dhgen.program.interpret import interpret
 from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
 from dhgen.program.polynomials import PolynomialLowering
@@ -26,12 +30,35 @@ if TYPE_CHECKING:
     from dhgen.program.graph import Node
     from dhgen.program.ir import Program
 
+TRIED = 50  # poses on which a program's rows are looked at
+
 
 def lower(derivation: Derivation) -> Program:
     """The program of a derivation."""
     if derivation.general is not None:
         return general_program(derivation.problem.algebra.chain, derivation.general)
-    return Lowering(derivation).run()
+    program = Lowering(derivation, checked=derivation.problem.redundant).run()
+    if not derivation.problem.redundant and _has_strangers(derivation, program):
+        return Lowering(derivation, checked=True).run()
+    return program
+
+
+def _has_strangers(derivation: Derivation, program: Program) -> bool:
+    """Whether rows come out that do not reproduce their pose.
+
+    Equations may leave a part of the task unsaid; then every row has to be checked.
+    """
+    chain = derivation.problem.algebra.chain
+    arm = numeric_arm(chain)
+    q = np.random.default_rng(17).uniform(-2.5, 2.5, (TRIED, chain.dof))
+    poses = arm.pose(q)
+    rows = interpret(program, poses, q, q[:, [joint - 1 for joint in chain.free]])
+    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
+    miss = np.abs(reached - poses[:, None])
+    miss[..., :3, 3] /= chain.size
+    named = [(int(e[1]) - 1, int(e[2]) - 1) for e in task_entries(chain.task)]
+    worst = np.max([miss[..., i, j] for i, j in named], axis=0)
+    return bool(np.any(worst[rows.solved] > TOLERANCES.consistent))
 
 
 class Lowering:
@@ -45,7 +72,8 @@ class Lowering:
         step_number: Of the step at hand, from 1.
     """
 
-    def __init__(self, derivation: Derivation) -> None:
+    def __init__(self, derivation: Derivation, *, checked: bool) -> None:
+        self._checked = checked
         self._derivation = derivation
         self._problem = derivation.problem
         self._algebra = derivation.problem.algebra
@@ -68,7 +96,7 @@ class Lowering:
             self.step_number = number
             self.builder.heading(_unknowns(step), _source(step))
             KERNELS[step.kind](self, step)
-        if self._problem.redundant:
+        if self._checked:
             self._check()
         self.builder.heading("joint values")
         joints = {f"q{n}": self.angles.joint_value(n) for n in range(1, chain.dof + 1)}

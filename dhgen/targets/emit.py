@@ -23,7 +23,7 @@ POSE_HELPERS = {
 
 def emit(robot: Robot, derivation: Derivation, module: SolverModule) -> dict[str, str]:
     """The solver in every language, the derivation, and the pose helpers that all robots share."""
-    document = derivation_document(robot, derivation, module.solver)
+    document = derivation_document(robot, derivation, module.solver, module.source)
     helpers = {name: render(template) for name, template in POSE_HELPERS.items()}
     return {
         **python_files(module),

@@ -17,7 +17,7 @@ NAMES = ("arm_6r", "planar_rr", "scara")
 def document(name: str) -> str:
     """A derivation as Markdown."""
     of = story(name)
-    return derivation_document(of.robot, of.derivation, of.program)
+    return derivation_document(of.robot, of.derivation, of.program, f"robots/{of.robot.name}.yaml")
 
 
 def without_cost(text: str) -> str:

@@ -118,7 +118,7 @@ def test_every_type_has_a_printer() -> None:
 def test_texts_of_the_user_are_escaped() -> None:
     of = story("planar_rr")
     robot = replace(of.robot, title="A *bold* <b>arm</b> | $x$", source="see [here](http://x.y)_")
-    text = derivation_document(robot, of.derivation, of.program)
+    text = derivation_document(robot, of.derivation, of.program, "robots/x.yaml")
     assert r"# A \*bold\* \<b\>arm\</b\> \| \$x\$: inverse kinematics" in text
     assert r"see \[here\](http://x.y)\_" in text
 

@@ -85,8 +85,10 @@ def _function(formula: Root | Size | Call, letters: Letters) -> Value:
             values = [evaluate(argument, letters) for argument in arguments]
             if function == "sgn":
                 return math.copysign(1.0, values[0])
-            known = {"atan2": math.atan2, "cos": math.cos, "sin": math.sin, "tan": math.tan}
-            return known[function](*values)
+            if function == "atan2":
+                return math.atan2(*values)
+            circular = {"cos": math.cos, "sin": math.sin, "tan": math.tan}
+            return circular[function](values[0])
 
 
 def letters_of(story: Story, q: Sequence[float]) -> Letters:

@@ -22,11 +22,14 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
-def derivation_document(robot: Robot, derivation: Derivation, program: Program) -> str:
-    """The derivation as GitHub Markdown with formulas."""
+def derivation_document(robot: Robot, derivation: Derivation, program: Program, source: str) -> str:
+    """The derivation as GitHub Markdown with formulas; `source` is how the robot file is called."""
     blocks = document_blocks(Story(robot, derivation, program))
     return render(
-        "derivation/document.md.jinja", name=robot.name, blocks=tuple(map(markdown, blocks))
+        "derivation/document.md.jinja",
+        name=robot.name,
+        source=source,
+        blocks=tuple(map(markdown, blocks)),
     )
 
 
