@@ -71,7 +71,7 @@ def kernel_program(
     unknowns = (*angles, *((slide(),) if slides else ()))
     roots = {Kind.LENGTH: 1, Kind.ANGLE_PAIR: 1}.get(kind, 2)
     step = Step(kind, unknowns, (), tuple(values.items()), roots, 0)
-    context = Lowering(Derivation(pool(), (step,), ((),)))
+    context = Lowering(Derivation(pool(), (step,), ((),)), checked=False)
     context.step_number = 1
     KERNELS[kind](context, step)
     results = {"r": context.value(slide().name)} if slides else {}
