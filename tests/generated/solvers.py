@@ -1,0 +1,62 @@
+"""The committed files at work: modules imported where they lie, C compiled elsewhere."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.robot.load import load
+from dhgen.verify.native import CompiledSolver, compile_solver
+
+if TYPE_CHECKING:
+    from dhgen.robot.robot import Robot
+    from tests.oracle.arm import FloatArray
+
+ROOT = Path(__file__).resolve().parents[2]
+GENERATED = ROOT / "generated"
+NAMES = sorted(path.stem for path in (ROOT / "robots").glob("*.yaml"))
+_KEPT: list[tempfile.TemporaryDirectory[str]] = []
+
+
+@cache
+def folder() -> Path:
+    """Where this process puts what it makes."""
+    kept = tempfile.TemporaryDirectory(prefix="dhgen-generated-")
+    _KEPT.append(kept)
+    return Path(kept.name)
+
+
+@cache
+def robot(name: str) -> Robot:
+    """What the robot file says."""
+    return load(ROOT / "robots" / f"{name}.yaml")
+
+
+@cache
+def module(name: str) -> Any:
+    """The module, numba and all; what numba makes of it is kept in __pycache__ for other runs."""
+    if str(GENERATED) not in sys.path:
+        sys.path.append(str(GENERATED))
+    return import_module(name)
+
+
+@cache
+def library(name: str) -> CompiledSolver:
+    """The C, compiled with warnings as errors."""
+    python, count = module(name), len(robot(name).free)
+    source = GENERATED / f"{name}.c"
+    compiled = compile_solver(source, folder(), name, python.DOF, python.MAX_SOLUTIONS, count)
+    assert compiled is not None, "the tests need a C compiler"
+    return compiled
+
+
+def given(name: str, q: FloatArray) -> list[FloatArray]:
+    """The argument for free joints, where there are any."""
+    free = [joint - 1 for joint in robot(name).free]
+    return [np.ascontiguousarray(q[..., free])] if free else []

@@ -1,0 +1,176 @@
+"""The files in `generated/`, as a user gets them, against the oracle's forward model."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from numba import njit
+from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
+
+from dhgen.robot.robot import JointKind
+from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
+from tests.oracle.arm import arm, arm_size
+from tests.oracle.forward import forward
+from tests.oracle.poses import joint_sets, random_joints
+from tests.oracle.problem import task_entries
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tests.oracle.arm import FloatArray
+
+COUNT = 10_000
+SLOW = {16: 300}  # general arms, by their number of rows
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
+RESIDUAL = 1e-11  # of the arm's size
+POLISHED = 1e-9  # the same for the general arms
+POINTER = ctypes.c_void_p
+
+
+def in_c(name: str, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+    """The batch function of the C."""
+    solver = library(name)
+    rows = np.empty((len(T), solver.rows, solver.dof))
+    status = np.empty(rows.shape[:2], np.uint8)
+    arrays = [np.ascontiguousarray(T), *given(name, q), rows, status]
+    pointers = [array.ctypes.data_as(POINTER) for array in arrays]
+    solver.library[f"{name}_ik_batch"](ctypes.c_size_t(len(T)), *pointers)
+    return rows, status
+
+
+def in_python(name: str, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+    """Row by row: the batch function in Python is looked at on a few robots below."""
+    python = module(name)
+    rows = np.empty((len(T), python.MAX_SOLUTIONS, python.DOF))
+    status = np.empty(rows.shape[:2], np.uint8)
+    free = given(name, q)
+    for k in range(len(T)):
+        python.ik_into(T[k], *(each[k] for each in free), rows[k], status[k])
+    return rows, status
+
+
+def misses(name: str, rows: FloatArray, T: FloatArray) -> FloatArray:
+    """The largest miss of the named entries, lengths in arm sizes, for rows (N, n), T (N, 4, 4)."""
+    miss = np.abs(forward(arm(robot(name)), rows) - T)[:, :3]
+    away = np.maximum(arm_size(robot(name)), np.abs(T[:, :3, 3]).max(axis=1))
+    miss[..., 3] /= away[:, None]
+    return np.asarray(miss.reshape(len(rows), 12)[:, task_entries(robot(name).task)].max(axis=1))
+
+
+def apart(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
+    """The largest difference of joint values, whole turns aside, lengths in arm sizes."""
+    turns = np.array([joint.kind is JointKind.REVOLUTE for joint in robot(name).joints])
+    miss = np.abs(rows - q)
+    turned = np.abs(miss - 2 * np.pi * np.round(miss / (2 * np.pi)))
+    return np.asarray(np.where(turns, turned, miss / arm_size(robot(name))).max(axis=-1))
+
+
+def test_every_robot_has_its_files() -> None:
+    wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
+    wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
+    assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
+
+
+@pytest.mark.parametrize("language", ["C", "Python"])
+@pytest.mark.parametrize("name", NAMES)
+def test_random_poses(name: str, language: str) -> None:
+    """The generating joints are found on each, and every row gives its pose again."""
+    rows = module(name).MAX_SOLUTIONS
+    q = random_joints(robot(name), SLOW.get(rows, COUNT), seed=71)
+    T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
+    found, status = (in_c if language == "C" else in_python)(name, T, q)
+    held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
+    assert held.any(axis=1).all()
+    poses = np.repeat(T[:, None], rows, axis=1)
+    assert misses(name, found[held], poses[held]).max() < (POLISHED if rows == 16 else RESIDUAL)
+    assert np.isnan(found[~held]).all()
+    nearest = np.where(held, apart(name, np.where(held[..., None], found, 0.0), q[:, None]), np.inf)
+    assert nearest.min(axis=1).max() < 1e-5
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_singular_poses(name: str) -> None:
+    """An exact answer on every one: wrists, shoulders, stretched, folded, right angles, limits."""
+    sets = joint_sets(robot(name), count=6, seed=72)
+    rows = module(name).MAX_SOLUTIONS
+    for kind, q in sets.items():
+        q = q[:: 1 + len(q) // SLOW.get(rows, len(q) or 1)]  # noqa: PLW2901
+        T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
+        found, status = in_c(name, T, q)
+        held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
+        assert held.any(axis=1).all(), (kind, q[~held.any(axis=1)][:3])
+        poses = np.repeat(T[:, None], rows, axis=1)
+        enough = POLISHED if rows == 16 else RESIDUAL
+        if held.any():
+            assert misses(name, found[held], poses[held]).max() < enough, kind
+
+
+CLEAN = """
+import sys
+sys.path.insert(0, ".")
+import {name} as robot
+import numpy as np
+q = np.full(robot.DOF, 0.3)
+free = [q[[joint - 1 for joint in robot.FREE_JOINTS]]] if hasattr(robot, "FREE_JOINTS") else []
+rows, status = robot.ik_all(robot.fk(q), *free)
+held = rows[~np.isnan(rows).any(axis=1)]
+assert len(held) and len(robot.jacobian(q)) == 6, status
+others = [name for name in sys.modules if name.split(".")[0] in ("dhgen", "sympy", "jinja2")]
+assert not others, others
+"""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_clean_process_needs_numpy_and_numba_only(name: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", CLEAN.format(name=name)],
+        cwd=GENERATED,
+        env={key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+        | {"NUMBA_DISABLE_JIT": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("name", ["scara"])
+def test_the_batch_on_all_cores(name: str) -> None:
+    q = random_joints(robot(name), 200, seed=73)
+    T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
+    rows, status = module(name).ik_batch(T)
+    others, other_status = in_python(name, T, q)
+    np.testing.assert_array_equal(rows, others)
+    np.testing.assert_array_equal(status, other_status)
+
+
+@pytest.mark.parametrize("name", ["puma560", "scara", "planar_rr"])
+def test_control_loops_allocate_nothing(name: str) -> None:
+    """Also where a pose is only rounded, and made a rotation first."""
+    _nrt.memsys_enable_stats()
+    python = module(name)
+    q = random_joints(robot(name), 50, seed=74)
+    exact = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
+    T = np.concatenate([exact, exact.astype(np.float32)]).astype(float)
+    rows = np.empty((python.MAX_SOLUTIONS, python.DOF))
+    status = np.empty(python.MAX_SOLUTIONS, np.uint8)
+    solve, seed = python._ik, np.zeros(python.DOF)
+
+    @njit  # from Python, the call itself makes a record for each array
+    def loop(T, rows, status):  # type: ignore[no-untyped-def]
+        for k in range(len(T)):
+            solve(T[k], seed, rows, status)
+
+    def allocations(poses: FloatArray) -> int:
+        before = _nrt.memsys_get_stats_alloc()
+        loop(poses, rows, status)
+        return int(_nrt.memsys_get_stats_alloc() - before)
+
+    loop(T, rows, status)
+    assert allocations(T) == allocations(T[:1]) < 10
