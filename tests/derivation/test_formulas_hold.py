@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
+from dhgen.survey.oracle.forward import forward, jacobian
 from dhgen.targets.derivation.blocks import Display, Paragraph
 from dhgen.targets.derivation.document import document_blocks
 from dhgen.targets.derivation.formula import Formula, Listing, Relation, Symbol
@@ -25,7 +26,6 @@ from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.style import PLAIN
 from tests.derivation.stories import NAMES, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of
-from tests.oracle.forward import forward, jacobian
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story

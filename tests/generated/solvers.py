@@ -16,7 +16,7 @@ from dhgen.verify.native import CompiledSolver, compile_solver
 
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = ROOT / "generated"

@@ -15,15 +15,15 @@ from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
 from dhgen.robot.robot import JointKind
 from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
-from tests.oracle.arm import arm, arm_size
-from tests.oracle.forward import forward
-from tests.oracle.poses import joint_sets, random_joints
-from tests.oracle.problem import task_entries
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.poses import joint_sets, random_joints
+from dhgen.survey.oracle.problem import task_entries
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 10_000
 SLOW = {16: 300}  # general arms, by their number of rows

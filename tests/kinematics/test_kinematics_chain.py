@@ -14,10 +14,10 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.chain import parallel_groups
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import ReferenceAxes
+from dhgen.survey.oracle.arm import arm_size
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.poses import random_joints
 from tests.kinematics.values import algebra_of, axes, pose, table
-from tests.oracle.arm import arm_size
-from tests.oracle.forward import forward
-from tests.oracle.poses import random_joints
 from tests.robots.cases import NAMES, robot
 
 angles = st.one_of(

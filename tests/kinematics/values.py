@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 
 def table(*rows: str, **sections: str) -> Robot:

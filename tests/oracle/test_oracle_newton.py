@@ -18,10 +18,10 @@ from dhgen.robot.robot import (
     Task,
     TaskKind,
 )
-from tests.oracle.forward import forward
-from tests.oracle.newton import all_solutions, solve
-from tests.oracle.poses import out_of_form, out_of_reach, random_joints
-from tests.oracle.problem import task_entries
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.newton import all_solutions, solve
+from dhgen.survey.oracle.poses import out_of_form, out_of_reach, random_joints
+from dhgen.survey.oracle.problem import task_entries
 from tests.robots.cases import COUNTS, NAMES, robot
 
 ABSENT = 1e-6

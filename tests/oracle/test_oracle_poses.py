@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from dhgen.robot.robot import JointKind
-from tests.oracle.arm import arm, arm_size
-from tests.oracle.poses import boundary, joint_sets, out_of_form, out_of_reach, right_angles
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.oracle.poses import boundary, joint_sets, out_of_form, out_of_reach, right_angles
 from tests.robots.cases import NAMES, robot
 
 

@@ -16,9 +16,9 @@ from dhgen.paul.pool import Equation, Origin, Pool, build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.step import View
 from dhgen.paul.witness import build_witnesses
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.poses import random_joints
 from tests.kinematics.values import algebra_of, constant_values, joint_values, matrix, number
-from tests.oracle.forward import forward
-from tests.oracle.poses import random_joints
 from tests.robots.cases import robot
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dhgen.paul.forms import Form
     from dhgen.paul.step import EquationType, Step
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 Values = dict[str, float]
 

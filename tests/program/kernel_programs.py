@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
     from dhgen.program.ir import Program
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 ANGLE = AngleSum(((1, 1),))
 PLACES = [f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]

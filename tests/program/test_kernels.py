@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from dhgen.program.interpret import Rows
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 40
 GRID = np.linspace(-np.pi, np.pi, 1441)

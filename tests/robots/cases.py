@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.robot.load import load
-from tests.oracle.poses import random_joints, right_angles
+from dhgen.survey.oracle.poses import random_joints, right_angles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

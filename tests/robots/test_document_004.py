@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tests.oracle.forward import forward
-from tests.oracle.poses import random_joints
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.poses import random_joints
 from tests.robots.cases import assert_close, c, joint_vectors, robot, s
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 
 def test_wrist_is_t36_from_both_sides() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.oracle.forward import forward
+from dhgen.survey.oracle.forward import forward
 from tests.robots.cases import assert_close, lengths, robot
 
 

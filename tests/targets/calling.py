@@ -13,7 +13,7 @@ from tests.targets.made import in_c, in_python, made
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
 HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)

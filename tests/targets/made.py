@@ -14,16 +14,16 @@ import numpy as np
 from dhgen.compiler import Compilation, compile_robot
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
+from dhgen.survey.oracle.arm import arm_size
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import CompiledSolver, compile_solver
-from tests.oracle.arm import arm_size
-from tests.oracle.forward import forward
-from tests.oracle.problem import task_entries
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))

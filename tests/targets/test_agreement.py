@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
-from tests.oracle.forward import jacobian
-from tests.oracle.poses import one_joint_at, random_joints, right_angles
+from dhgen.survey.oracle.forward import jacobian
+from dhgen.survey.oracle.poses import one_joint_at, random_joints, right_angles
 from tests.targets.made import (
     MADE_UP_NAMES,
     NAMES,
@@ -24,7 +24,7 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 12
 EVERY = [*NAMES, *MADE_UP_NAMES]

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from tests.oracle.poses import one_joint_at, out_of_reach, random_joints, right_angles
+from dhgen.survey.oracle.poses import one_joint_at, out_of_reach, random_joints, right_angles
 from tests.targets.made import MADE_UP_NAMES, NAMES, folder, made, poses_of, robot
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 EVERY = [*NAMES, *MADE_UP_NAMES]
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")

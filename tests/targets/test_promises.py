@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from tests.oracle.newton import solve
-from tests.oracle.poses import one_joint_at, random_joints, right_angles
+from dhgen.survey.oracle.newton import solve
+from dhgen.survey.oracle.poses import one_joint_at, random_joints, right_angles
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import (
     MADE_UP_NAMES,
@@ -24,7 +24,7 @@ from tests.targets.made import (
 )
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 EVERY = [*NAMES, *MADE_UP_NAMES]
 WHOLE_POSES = [name for name in EVERY if robot(name).task.kind.name == "POSE"]

@@ -7,7 +7,7 @@ import inspect
 import numpy as np
 import pytest
 
-from tests.oracle.poses import random_joints
+from dhgen.survey.oracle.poses import random_joints
 from tests.targets.calling import FREE_JOINT, HELD, OK, OUT_OF_LIMITS
 from tests.targets.made import MADE_UP_NAMES, NAMES, given, in_python, made, poses_of, robot
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from tests.oracle.poses import out_of_form, out_of_reach, random_joints
+from dhgen.survey.oracle.poses import out_of_form, out_of_reach, random_joints
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,
@@ -21,7 +21,7 @@ from tests.targets.calling import (
 from tests.targets.made import MADE_UP_NAMES, NAMES, entries, given, poses_of, robot
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 BAD_NUMBERS = (np.nan, np.inf, -np.inf)
 

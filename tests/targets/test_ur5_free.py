@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from tests.oracle.poses import random_joints
+from dhgen.survey.oracle.poses import random_joints
 from tests.robots.cases import dh, lengths
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, Solver
 from tests.targets.made import poses_of, residual, robot
 
 if TYPE_CHECKING:
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = {"C": 1000, "Python": 25}  # plain Python is slow: 64 and more solves a row
 GRID = np.linspace(-np.pi, np.pi, 4097)

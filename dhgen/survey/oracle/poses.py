@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.robot.robot import JointKind, Robot, TaskKind
-from tests.oracle.arm import arm, arm_size
-from tests.oracle.forward import forward
-from tests.oracle.problem import names_position
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.problem import names_position
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 RIGHT_ANGLES = (0.0, np.pi / 2, np.pi, -np.pi / 2)
 NEAR = (1e-6, 1e-8, 1e-10)  # rad

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.robot.robot import Robot, TaskKind
-from tests.oracle.arm import Arm, arm, arm_size
-from tests.oracle.forward import forward_with_derivatives
+from dhgen.survey.oracle.arm import Arm, arm, arm_size
+from dhgen.survey.oracle.forward import forward_with_derivatives
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.robot.robot import Task
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 # Solutions beyond the limits are solutions too (their status says so), so the starts of a
 # prismatic joint are drawn from its whole surroundings, in units of the arm's size.

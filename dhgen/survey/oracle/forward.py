@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tests.oracle.arm import Arm, arm
+from dhgen.survey.oracle.arm import Arm, arm
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
     AnyArray = NDArray[Any]
 

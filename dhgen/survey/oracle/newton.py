@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tests.oracle.descent import descend, polish
-from tests.oracle.problem import Problem, state
+from dhgen.survey.oracle.descent import descend, polish
+from dhgen.survey.oracle.problem import Problem, state
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from dhgen.robot.robot import Robot
-    from tests.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
 
 BATCH = {1: 32, 2: 32, 3: 64, 4: 128}  # starts at once, by the number of joints to find
 LARGEST_BATCH = 256

@@ -9,8 +9,8 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tests.oracle.arm import FloatArray
-    from tests.oracle.problem import Problem
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.survey.oracle.problem import Problem
 
 STEPS = 60
 CONVERGED = 1e-20  # squared residual, lengths in units of the arm

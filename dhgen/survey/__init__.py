@@ -1,0 +1,1 @@
+"""How complete solvers are: `dhgen survey`."""
