@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.program.graph import Graph
-from dhgen.program.ir import Integer, Joint
+from dhgen.program.ir import Integer, Joint, Variable
 from dhgen.program.schedule import Mark, Names, scheduled
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.program.graph import Node
-    from dhgen.program.ir import Failure, Program
+    from dhgen.program.ir import Failure, Operator, Program
 
 
 class Builder(Graph):
@@ -110,6 +110,26 @@ class Builder(Graph):
     def select(self, condition: Node, yes: Node, no: Node) -> Node:
         """yes where the condition holds, else no."""
         return yes if yes == no else self.apply("select", condition, yes, no)
+
+    def simplified(self, operator: Operator, operands: list[Node]) -> Node:
+        """An operator, with what simplifies at once; x - x stays: it may be there for its NaN."""
+        match operator, operands:
+            case (("add" | "mul" | "div"), (left, right)):
+                return {"add": self.add, "mul": self.mul, "div": self.div}[operator](left, right)
+            case "sub", (left, right) if left != right:
+                return self.sub(left, right)
+            case "neg", (operand,):
+                return self.neg(operand)
+            case "abs", (operand,):
+                return self.absolute(operand)
+            case "select", (condition, yes, no):
+                return self.select(condition, yes, no)
+            case _:
+                return self.apply(operator, *operands)
+
+    def is_sign(self, node: Node) -> bool:
+        """Whether a node is a branch sign."""
+        return self.entries[node].leaf in {Variable(axis.name) for axis in self.axes}
 
     def is_zero(self, node: Node) -> bool:
         """Whether a node is the number 0."""

@@ -101,10 +101,10 @@ class Graph:
         """The value of a joint, in forward programs."""
         return self._add(Entry(Joint(number, "q"), None, ()))
 
-    def sign(self, meaning: tuple[str, ...], step: int) -> Node:
+    def sign(self, meaning: tuple[str, ...], step: int, wanted: str = "") -> Node:
         """A new branch sign."""
         place = len(self.axes)
-        axis = Axis(self.unique(f"e{place + 1}"), meaning, step)
+        axis = Axis(self.unique(wanted or f"e{place + 1}"), meaning, step)
         self.axes.append(axis)
         return self._add(Entry(Variable(axis.name), None, (), (place,)))
 

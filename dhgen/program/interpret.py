@@ -66,6 +66,16 @@ def interpret(
     return _Run(program, poses, seed, free).rows()
 
 
+def outputs(
+    program: Program,
+    poses: NDArray[np.float64],
+    seed: NDArray[np.float64] | None = None,
+    free: NDArray[np.float64] | None = None,
+) -> list[NDArray[Any]]:
+    """Runs a program without guards: its outputs, each of shape (N, B). Arguments as above."""
+    return _Run(program, poses, seed, free).outputs()
+
+
 class _Run:
     def __init__(
         self,
@@ -76,7 +86,8 @@ class _Run:
     ) -> None:
         self._program = program
         self._poses = poses
-        count, dof = len(poses), len(program.outputs)
+        count = len(poses)
+        dof = len(program.outputs) if seed is None else np.shape(seed)[-1]
         given = 0 if free is None else np.shape(free)[-1]
         self._given = {
             "seed": np.broadcast_to(np.zeros(dof) if seed is None else seed, (count, dof)),
@@ -89,6 +100,13 @@ class _Run:
             self._values[axis.name] = sign.reshape(
                 [2 if p == place + 1 else 1 for p in range(len(self._shape))]
             )
+
+    def outputs(self) -> list[Array]:
+        with np.errstate(all="ignore"):
+            for statement in self._program.body:
+                if isinstance(statement, Let):
+                    self._values[statement.name] = self._value(statement.expression)
+            return [self._flat(self._value(output)) for output in self._program.outputs]
 
     def rows(self) -> Rows:
         alive = np.ones(self._shape, dtype=bool)
@@ -163,6 +181,7 @@ _OPERATORS: dict[str, Callable[..., Array]] = {
     "abs": np.abs,
     "sqrt": np.sqrt,
     "atan2": np.arctan2,
+    "copysign": np.copysign,
     "sin": np.sin,
     "cos": np.cos,
     "wrap": wrap,

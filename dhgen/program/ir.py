@@ -34,6 +34,7 @@ Operator = Literal[
     "abs",
     "sqrt",
     "atan2",
+    "copysign",
     "sin",
     "cos",
     "wrap",

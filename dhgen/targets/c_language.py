@@ -15,6 +15,7 @@ _FUNCTIONS = {
     "abs": "fabs",
     "sqrt": "sqrt",
     "atan2": "atan2",
+    "copysign": "copysign",
     "sin": "sin",
     "cos": "cos",
     "wrap": "wrap",

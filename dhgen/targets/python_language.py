@@ -15,6 +15,7 @@ _FUNCTIONS = {
     "abs": "abs",
     "sqrt": "math.sqrt",
     "atan2": "math.atan2",
+    "copysign": "math.copysign",
     "sin": "math.sin",
     "cos": "math.cos",
     "wrap": "_wrap",

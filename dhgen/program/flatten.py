@@ -1,0 +1,151 @@
+"""Programs of regular poses as straight-line code: branches unrolled, or side by side in lanes.
+
+Of the axes some stay as lanes; for every combination of the others each value is computed under a
+name of its own: c3_pm is c3 where the first of the signs it depends on is plus, the second minus.
+With all axes unrolled nothing is left but arithmetic on the pose: one program for one pose at a
+time, and for many in lanes of poses.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from itertools import product
+from typing import TYPE_CHECKING
+
+from dhgen.program.builder import Builder
+from dhgen.program.ir import Apply, Heading, Integer, Joint, Let, Pose, Variable
+
+if TYPE_CHECKING:
+    from dhgen.program.graph import Node
+    from dhgen.program.ir import Expression, Program
+    from dhgen.program.regular import Regular
+
+FOLDED = "h"  # what the names of constants made here begin with
+PLUS, MINUS = 1, -1
+
+Choice = tuple[int, ...]  # the values of unrolled axes, in their order
+
+
+@dataclass(frozen=True, slots=True)
+class Flat:
+    """Straight-line code for one pose or for many.
+
+    Attributes:
+        program: Its axes are the lanes. Its outputs are those of the rows, and then whether the
+            pose has to be left to the whole program.
+        joints: Number of outputs of a row.
+        choices: The unrolled signs of every group of outputs, in the order of the outputs.
+        lanes: The axes of the original program that are lanes.
+        unrolled: The others.
+    """
+
+    program: Program
+    joints: int
+    choices: tuple[Choice, ...]
+    lanes: tuple[int, ...]
+    unrolled: tuple[int, ...]
+
+    @property
+    def groups(self) -> tuple[tuple[Expression, ...], ...]:
+        """The joints' values for each of the choices."""
+        outputs, size = self.program.outputs, self.joints
+        return tuple(outputs[k * size : (k + 1) * size] for k in range(len(self.choices)))
+
+    @property
+    def doubt(self) -> Expression:
+        """Whether the pose has to be left to the whole program: in any lane."""
+        return self.program.outputs[-1]
+
+
+def flatten(solver: Regular, lanes: tuple[int, ...] = ()) -> Flat:
+    """Straight-line code.
+
+    Args:
+        solver: The program of regular poses.
+        lanes: Positions of the axes that stay; the others are unrolled.
+    """
+    return _Flattening(solver, lanes).run()
+
+
+class _Flattening:
+    def __init__(self, solver: Regular, lanes: tuple[int, ...]) -> None:
+        self._solver = solver
+        self._program = solver.program
+        self._lanes = lanes
+        axes = range(len(self._program.axes))
+        self._unrolled = tuple(axis for axis in axes if axis not in lanes)
+        self._builder = Builder(reserved=set(), folded=FOLDED)
+        self._values: dict[tuple[str, Choice], Node] = {}
+        self._axes: dict[str, tuple[int, ...]] = {}
+
+    def run(self) -> Flat:
+        builder = self._builder
+        for c in self._program.constants:
+            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            self._values[c.name, ()] = node
+        for place, axis in enumerate(self._program.axes):
+            if place in self._lanes:
+                self._values[axis.name, ()] = builder.sign(axis.meaning, axis.step, axis.name)
+            else:
+                self._axes[axis.name] = (place,)
+                self._values[axis.name, (PLUS,)] = builder.integer(1)
+                self._values[axis.name, (MINUS,)] = builder.integer(-1)
+        for statement in self._program.body:
+            if isinstance(statement, Heading):
+                builder.heading(statement.text, statement.detail)
+            elif isinstance(statement, Let):
+                self._let(statement)
+        choices = tuple(product((PLUS, MINUS), repeat=len(self._unrolled)))
+        results: dict[str, Node] = {}
+        for choice in choices:
+            for place, output in enumerate(self._solver.joints):
+                name = _name(f"q{place + 1}", choice)
+                results[name] = builder.hint(self._value(output, self._unrolled, choice), name)
+        results["doubt"] = self._doubt(choices)
+        program = builder.finish(self._program.name, results, [])
+        return Flat(program, len(self._solver.joints), choices, self._lanes, self._unrolled)
+
+    def _let(self, statement: Let) -> None:
+        """The value under a name for each combination of the unrolled signs it depends on."""
+        axes = tuple(axis for axis in statement.axes if axis not in self._lanes)
+        self._axes[statement.name] = axes
+        numbered = statement.name[0] == "v" and statement.name[1:].isdigit()
+        for choice in product((PLUS, MINUS), repeat=len(axes)):
+            node = self._value(statement.expression, axes, choice)
+            if not numbered:
+                self._builder.hint(node, _name(statement.name, choice))
+            self._values[statement.name, choice] = node
+
+    def _doubt(self, choices: tuple[Choice, ...]) -> Node:
+        """Any doubt in any branch."""
+        outputs = self._program.outputs[len(self._solver.joints) :]
+        found = [self._value(o, self._unrolled, choice) for o in outputs for choice in choices]
+        if not found:
+            zero = self._builder.integer(0)
+            return self._builder.apply("less", zero, zero)
+        return reduce(lambda a, b: self._builder.apply("or", a, b), dict.fromkeys(found))
+
+    def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:
+        """An expression where the unrolled axes have these values."""
+        builder = self._builder
+        match expression:
+            case Variable(name):
+                of = dict(zip(axes, choice, strict=True))
+                return self._values[name, tuple(of[axis] for axis in self._axes.get(name, ()))]
+            case Integer(value):
+                return builder.integer(value)
+            case Pose(row, column):
+                return builder.pose(row, column)
+            case Joint(number, role):
+                given = builder.seed if role == "seed" else builder.given
+                return given(number)
+            case Apply(operator, operands):
+                return builder.simplified(
+                    operator, [self._value(operand, axes, choice) for operand in operands]
+                )
+
+
+def _name(name: str, choice: Choice) -> str:
+    signs = "".join("p" if sign == PLUS else "m" for sign in choice)
+    return f"{name}_{signs}" if signs else name

@@ -1,0 +1,227 @@
+"""The program of regular poses: without loops, guards or free joints, in values of narrow types.
+
+Where a joint is free, or where two branches meet, a pose is singular, and what is to be done then
+is the affair of the whole program. This one says which poses these are; for all others it assumes
+that nothing of the kind happens, so that every choice between a formula and the seed is gone. A
+row without a solution becomes NaN by itself: the square root of a negative number.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.builder import Builder
+from dhgen.program.ir import (
+    Apply,
+    Failure,
+    GeneralRoots,
+    Guard,
+    Heading,
+    Integer,
+    Joint,
+    Let,
+    Pose,
+    Roots,
+    Variable,
+)
+from dhgen.program.signed import Signed, SignedArithmetic
+
+if TYPE_CHECKING:
+    from dhgen.program.graph import Node
+    from dhgen.program.ir import Expression, Program
+
+FOLDED = "g"  # what the names of constants made here begin with
+
+
+@dataclass(frozen=True, slots=True)
+class Regular:
+    """What is computed for a regular pose.
+
+    Attributes:
+        program: Without guards. Its outputs are the joints' values, NaN in all of them where a
+            branch has no solution, and then the doubts.
+        doubts: How many of the last outputs are truth values of which one, in one branch, is
+            enough to leave the pose to the whole program.
+    """
+
+    program: Program
+    doubts: int
+
+    @property
+    def joints(self) -> tuple[Expression, ...]:
+        """The joints' values."""
+        return self.program.outputs[: len(self.program.outputs) - self.doubts]
+
+
+def regular(program: Program) -> Regular | None:
+    """The program of regular poses; None where the branches are roots of a polynomial."""
+    if any(isinstance(statement, Roots | GeneralRoots) for statement in program.body):
+        return None
+    return _Regular(program).run()
+
+
+class _Regular:
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._builder = Builder(reserved=set(), folded=FOLDED)
+        self._arithmetic = SignedArithmetic(self._builder)
+        self._values: dict[str, Signed] = {}
+        self._assumed: dict[str, bool] = {}
+        self._doubts: list[Node] = []
+        self._endings: list[Node] = []
+        self._reached: Guard | None = None
+
+    def run(self) -> Regular:
+        builder = self._builder
+        for c in self._program.constants:
+            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            self._values[c.name] = Signed(node)
+        for axis in self._program.axes:
+            sign = builder.sign(axis.meaning, axis.step)
+            self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
+        self._assume()
+        for statement in self._program.body:
+            self._take(statement)
+        joints = [self._arithmetic.plain(self._value(o)) for o in self._program.outputs]
+        results = {f"q{place + 1}": self._ended(node) for place, node in enumerate(joints)}
+        doubts = {f"doubt{place + 1}": node for place, node in enumerate(self._merged_doubts())}
+        finished = builder.finish(self._program.name, results | doubts, [])
+        return Regular(finished, len(doubts))
+
+    def _assume(self) -> None:
+        """No joint is free, no two branches meet."""
+        for _, name in self._program.free:
+            self._suppose(Variable(name), truth=False)
+        for statement in self._program.body:
+            if isinstance(statement, Guard) and statement.failure is Failure.MERGED:
+                self._suppose(_met(statement), truth=False)
+
+    def _suppose(self, condition: Expression, *, truth: bool) -> None:
+        match condition:
+            case Apply("not", (inner,)):
+                self._suppose(inner, truth=not truth)
+            case Apply("or" | "and" as both, parts) if truth == (both == "and"):
+                for part in parts:
+                    self._suppose(part, truth=truth)
+            case Variable(name):
+                self._assumed[name] = truth
+                for statement in self._program.body:
+                    if isinstance(statement, Let) and statement.name == name:
+                        self._suppose(statement.expression, truth=truth)
+            case _:
+                pass
+
+    def _take(self, statement: object) -> None:
+        match statement:
+            case Heading(text, detail):
+                self._builder.heading(text, detail)
+                self._reached = None
+            case Let(name, expression):
+                self._values[name] = value = self._value(expression)
+                if not (name[0] == "v" and name[1:].isdigit()):
+                    self._builder.hint(value.node, name)
+                if self._assumed.get(name) is False and statement.truth:
+                    self._doubts.append(value.node)
+            case Guard(failure=Failure.MERGED):
+                self._meet(statement)
+            case Guard(condition, failure=failure, margin=margin):
+                self._end(self._truth(condition), failure, margin)
+                self._reached = statement
+
+    def _meet(self, guard: Guard) -> None:
+        """Branches that meet at a pose that is in reach are a doubt."""
+        met = self._truth(_met(guard))
+        if self._reached is not None:
+            met = self._builder.apply("and", self._truth(self._reached.condition), met)
+        self._doubts.append(met)
+
+    def _end(self, condition: Node, failure: Failure, margin: Expression | None) -> None:
+        """What is NaN where a branch ends here and else zero."""
+        builder = self._builder
+        if failure is Failure.REACH and margin is not None:
+            length = builder.apply("sqrt", self._arithmetic.plain(self._value(margin)))
+        else:
+            none = builder.select(condition, builder.integer(0), builder.integer(-1))
+            length = builder.apply("sqrt", none)
+        self._endings.append(length)
+
+    def _ended(self, joint: Node) -> Node:
+        """A joint's value, NaN where the branch has ended."""
+        builder = self._builder
+        for length in self._endings:
+            if not self._spoils(length, joint, {}):
+                joint = builder.add(joint, builder.apply("sub", length, length))  # NaN or zero
+        return joint
+
+    def _spoils(self, cause: Node, node: Node, seen: dict[Node, bool]) -> bool:
+        """Whether a value is NaN for certain where another is."""
+        if node not in seen:
+            entry = self._builder.entries[node]
+            if node == cause:
+                seen[node] = True
+            elif entry.operator == "select":
+                seen[node] = all(self._spoils(cause, each, seen) for each in entry.operands[1:])
+            elif entry.operator == "copysign":
+                seen[node] = self._spoils(cause, entry.operands[0], seen)
+            else:
+                seen[node] = any(self._spoils(cause, each, seen) for each in entry.operands)
+        return seen[node]
+
+    def _merged_doubts(self) -> list[Node]:
+        """One doubt for each type."""
+        merged: dict[tuple[int, ...], Node] = {}
+        for node in dict.fromkeys(self._doubts):
+            axes = self._builder.axes_of(node)
+            known = merged.get(axes)
+            merged[axes] = node if known is None else self._builder.apply("or", known, node)
+        return list(merged.values())
+
+    def _truth(self, expression: Expression) -> Node:
+        return self._value(expression).node
+
+    def _value(self, expression: Expression) -> Signed:
+        builder = self._builder
+        match expression:
+            case Variable(name):
+                return self._values[name]
+            case Integer(value):
+                return Signed(builder.integer(value))
+            case Pose(row, column):
+                return Signed(builder.pose(row, column))
+            case Joint(number, role):
+                given = builder.seed if role == "seed" else builder.given
+                return Signed(given(number))
+            case Apply("select", (condition, yes, no)):
+                return self._choice(condition, yes, no)
+            case Apply(operator, operands):
+                parts = [self._value(operand) for operand in operands]
+                return self._arithmetic.apply(operator, parts)
+
+    def _choice(self, condition: Expression, yes: Expression, no: Expression) -> Signed:
+        known = self._decided(condition)
+        if known is not None:
+            return self._value(yes if known else no)
+        first, second, common = self._arithmetic.shared(self._value(yes), self._value(no))
+        return Signed(self._builder.select(self._truth(condition), first, second), common)
+
+    def _decided(self, condition: Expression) -> bool | None:
+        """What is assumed of a condition."""
+        match condition:
+            case Variable(name):
+                return self._assumed.get(name)
+            case Apply("not", (inner,)):
+                known = self._decided(inner)
+                return None if known is None else not known
+            case _:
+                return None
+
+
+def _met(guard: Guard) -> Expression:
+    """When the branches of both signs are the same: the guard is plus or not this."""
+    match guard.condition:
+        case Apply("or", (Apply("less", _), Apply("not", (met,)))):
+            return met
+        case Apply("or", (Apply("not", (met,)), Apply("less", _))):
+            return met
+    raise AssertionError(guard)

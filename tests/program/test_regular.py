@@ -1,0 +1,135 @@
+"""The program of regular poses gives what the whole program gives, or says that it may not."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.count import count_operations
+from dhgen.program.flatten import flatten
+from dhgen.program.interpret import Rows, interpret, outputs
+from dhgen.program.ir import Let
+from dhgen.program.regular import regular
+from tests.derivation.stories import story
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tests.oracle.arm import FloatArray
+
+NAMES = [
+    *("puma560", "ur5", "kuka_kr6_r900", "rrprrr", "scara", "stanford", "kuka_iiwa14"),
+    *("kuka_youbot", "staubli_tx2_90", "scorbot_pointing", "planar_rrr", "wrist_oblique"),
+    *("prismatic_2_wrist", "spherical_offset", "cartesian"),
+]
+COUNT = 300
+
+
+@cache
+def configurations(name: str) -> FloatArray:
+    """Random joint vectors, and every one of multiples of a quarter turn, most of them singular."""
+    chain = story(name).derivation.problem.algebra.chain
+    rng = np.random.default_rng(5)
+    grid = np.array(list(product((-np.pi / 2, 0.0, np.pi / 2, np.pi), repeat=min(chain.dof, 5))))
+    corners = np.zeros((len(grid), chain.dof))
+    corners[:, : grid.shape[1]] = grid
+    near = corners[: 2 * COUNT] + rng.choice([1e-13, 1e-9, 1e-6], (len(corners[: 2 * COUNT]), 1))
+    return np.concatenate([rng.uniform(-3, 3, (COUNT, chain.dof)), corners, near])
+
+
+@cache
+def cases(name: str) -> tuple[FloatArray, FloatArray, Rows]:
+    """Poses, the values of free joints, and what the whole program gives; some are out of reach."""
+    of = story(name)
+    chain = of.derivation.problem.algebra.chain
+    q = configurations(name)
+    T = numeric_arm(chain).pose(q)
+    T[: COUNT // 2, :3, 3] *= np.random.default_rng(6).uniform(0.8, 1.5, (COUNT // 2, 1))
+    free = q[:, [joint - 1 for joint in chain.free]]
+    return T, free, interpret(of.program, T, np.zeros_like(q), free)
+
+
+def assert_same(rows: Rows, q: FloatArray, doubt: NDArray[Any] | np.bool_) -> None:
+    """Rows (N, B, n) where there is no doubt (N,)."""
+    sure = ~np.asarray(doubt, dtype=bool)
+    assert sure[: COUNT // 2].mean() > 0.95
+    missing = np.isnan(q)
+    assert (missing.any(-1) == missing.all(-1))[sure].all()
+    assert (missing.any(-1) == ~rows.solved)[sure].all()
+    miss = np.nan_to_num(np.abs(q - rows.q))[sure]
+    assert np.minimum(miss, np.abs(miss - 2 * np.pi)).max() < 1e-9
+    assert np.quantile(miss, 0.9) < 1e-14
+    assert not rows.free[sure].any()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_regular_and_flat_programs_are_the_program(name: str) -> None:
+    program = story(name).program
+    solver = regular(program)
+    assert solver is not None
+    T, free, rows = cases(name)
+    found = outputs(solver.program, T, None, free)
+    doubts = np.stack([*found[len(solver.joints) :], np.zeros_like(found[0])])
+    doubt = np.asarray(doubts).any(axis=(0, 2))
+    assert_same(rows, np.stack(found[: len(solver.joints)], axis=-1), doubt)
+
+    flat = flatten(solver)
+    assert flat.program.axes == ()
+    found = outputs(flat.program, T, None, free)
+    q = np.stack([column[:, 0] for column in found[:-1]], axis=-1).reshape(rows.q.shape)
+    assert_same(rows, q, found[-1][:, 0])
+
+
+@pytest.mark.parametrize("name", ["puma560", "ur5", "kuka_kr6_r900"])
+@pytest.mark.parametrize("lanes", [(0,), (0, 1), (1, 2)])
+def test_some_branches_stay_as_lanes(name: str, lanes: tuple[int, ...]) -> None:
+    solver = regular(story(name).program)
+    assert solver is not None
+    T, _, rows = cases(name)
+    flat = flatten(solver, lanes)
+    assert [axis.name for axis in flat.program.axes] == [f"e{place + 1}" for place in lanes]
+    found = outputs(flat.program, T)
+    groups = np.stack(found[:-1], axis=-1).reshape(len(T), 1 << len(lanes), -1, flat.joints)
+    order = [*flat.lanes, *flat.unrolled]  # the axes as they stand in the groups
+    split = groups.reshape(len(T), *(2 for _ in order), flat.joints)
+    q = split.transpose(0, *(1 + order.index(axis) for axis in range(len(order))), -1)
+    assert_same(rows, q.reshape(rows.q.shape), found[-1].any(-1))
+
+
+@pytest.mark.parametrize(
+    ("name", "arctangents", "square_roots", "divisions"),
+    [
+        ("kuka_kr6_r900", 21, 11, 9),
+        ("ur5", 20, 15, 11),
+        ("puma560", 20, 10, 9),
+        ("rrprrr", 5, 3, 3),
+        ("scara", 4, 7, 3),
+    ],
+)
+def test_operations_of_narrow_types(
+    name: str, arctangents: int, square_roots: int, divisions: int
+) -> None:
+    solver = regular(story(name).program)
+    assert solver is not None
+    found = count_operations(solver.program)
+    assert found.arctangents <= arctangents
+    assert found.square_roots <= square_roots
+    assert found.divisions <= divisions
+    assert found.sines_cosines == 0
+
+
+def test_names_say_the_branch() -> None:
+    solver = regular(story("kuka_kr6_r900").program)
+    assert solver is not None
+    flat = flatten(solver)
+    names = {statement.name for statement in flat.program.body if isinstance(statement, Let)}
+    assert {"w1", "w3_p", "w3_m", "c3_pp", "c3_pm", "c3_mp", "c3_mm"} <= names
+
+
+def test_roots_of_polynomials_have_no_regular_program() -> None:
+    assert regular(story("cuspidal_3r").program) is None
