@@ -19,7 +19,6 @@ from tests.derivation.stories import story
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
     from tests.oracle.arm import FloatArray
 
 NAMES = [
