@@ -18,8 +18,9 @@ from dhgen.program.regular import regular
 from tests.derivation.stories import story
 
 if TYPE_CHECKING:
-    from dhgen.oracle.arm import FloatArray
     from numpy.typing import NDArray
+
+    from dhgen.survey.oracle.arm import FloatArray
 
 NAMES = [
     *("puma560", "ur5", "kuka_kr6_r900", "rrprrr", "scara", "stanford", "kuka_iiwa14"),
