@@ -153,7 +153,8 @@ def build_pool(problem: Problem) -> Pool:
             middle = product((element for link in links[m:k] for element in link), algebra)
             moved = compose(left, rights[k], algebra.normal)
             equations += _entries(m, k, dof, moved, middle)
-            equations += _squared_length(problem, Origin(m, k, dof, 0, 4), moved, steps[k], middle)
+            origin = Origin(m, k, dof, 0, 4)
+            equations += _squared_length(problem, origin, (left, rights[k]), steps[k], middle)
     withheld = _Withheld(problem)
     usable = (e for e in equations if e.difference and not withheld(e.difference))
     return Pool(problem, _merged(usable), tuple(points))
@@ -224,24 +225,27 @@ def _equation(origin: Origin, left: Polynomial, right: Polynomial) -> Equation:
 
 
 def _squared_length(
-    problem: Problem, origin: Origin, left: Transform, step: Transform, right: Transform
+    problem: Problem,
+    origin: Origin,
+    factors: tuple[Transform, Transform],
+    step: Transform,
+    right: Transform,
 ) -> list[Equation]:
     """The squared distance between the origins of frames m and k.
 
-    With v the origin of frame k in the tool, which may depend on one joint, the known side of the
-    form m = 0 is |v|^2 + |t|^2 + 2 v.(R' t), where U_0 = [R | t]: the rows of R are unit vectors,
-    and products of its entries would not show that.
+    The side with U_0 is [R | t] [S | u], where u is a known point: |t|^2 + |u|^2 + 2 (R' t).u, with
+    fewer products than the square of the whole. With v the origin of frame k in the tool, which may
+    depend on one joint, the known side of the form m = 0 is |v|^2 + |t|^2 + 2 v.(R' t), where
+    U_0 = [R | t]: the rows of R are unit vectors, and products of its entries would not show that.
     """
     normal = problem.algebra.normal
     joints = _right_joints(problem, origin.k, step.translation)
     if len(joints) > 1 or (joints and origin.m > 0):
         return []
     second = dot(right.translation, right.translation, normal)
-    if not joints:
-        first = dot(left.translation, left.translation, normal)
-        return [_equation(origin, first, second)]
-    t, v = problem.target.translation, step.translation
-    turned = [dot(problem.target.column(column), t, normal) for column in range(3)]
+    before, point = (problem.target, step) if joints else factors
+    t, v = before.translation, point.translation
+    turned = [dot(column, t, normal) for column in zip(*before.rotation, strict=True)]
     first = dot(t, t, normal) + dot(v, v, normal) + 2 * dot(turned, v, normal)
     return [_equation(origin, first, second)]
 

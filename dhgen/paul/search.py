@@ -51,7 +51,7 @@ class Search:
         self._anywhere = any(equation_type.anywhere for equation_type in types)
         self._reader = FormReader(pool)
         self._start = initial_knowledge(pool.problem.algebra)
-        self._view = View(self._start, build_witnesses(pool))
+        self._witnesses = build_witnesses(pool)
         self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
         self._partners: set[frozenset[int]] = set()
@@ -81,7 +81,7 @@ class Search:
     def offers(self, knowledge: Knowledge) -> tuple[Step, ...]:
         """The steps that a state allows, cheapest first."""
         if knowledge.state not in self._offers:
-            view = self._view.in_state(knowledge)
+            view = self.view(knowledge)
             groups = self.groups(self._reader.forms(knowledge))
             found = [step for group in groups for step in self._steps(group, view)]
             found.sort(key=lambda step: (step.roots, step.penalty))
@@ -111,7 +111,7 @@ class Search:
 
     def view(self, knowledge: Knowledge) -> View:
         """What types look at in a state."""
-        return self._view.in_state(knowledge)
+        return View(knowledge, self._witnesses)
 
     def groups(self, forms: list[Form]) -> list[tuple[Form, ...]]:
         """What types are tried on: forms with one unknown, and pairs with the same unknowns."""

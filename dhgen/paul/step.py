@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.normal import NormalForm
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.pool import Origin
@@ -37,6 +38,29 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class Products:
+    """A coefficient that is worked out only where it is used: most steps are never taken.
+
+    Attributes:
+        terms: (n, f, g) for every n f g of its sum.
+        normal: The normal form.
+    """
+
+    terms: tuple[tuple[int, Polynomial, Polynomial], ...]
+    normal: NormalForm = field(compare=False)
+    _sum: list[Polynomial] = field(default_factory=list, compare=False)
+
+    @property
+    def polynomial(self) -> Polynomial:
+        """The sum in normal form."""
+        if not self._sum:
+            _, first, _ = self.terms[0]
+            total = sum((n * f * g for n, f, g in self.terms if f and g), first.ring.zero)
+            self._sum.append(self.normal(total))
+        return self._sum[0]
+
+
+@dataclass(frozen=True, slots=True)
 class Step:
     """One step.
 
@@ -44,7 +68,7 @@ class Step:
         kind: The type of the equations.
         unknowns: What becomes known: one angle sum or length, or both (types 4 and 5).
         forms: The equations as they look at this point.
-        coefficients: The type's letters and what they are here, in the type's order.
+        letters: The type's letters and what they are here, in the type's order.
         roots: How many values the step gives.
         penalty: For ranking: how ill-conditioned and how long.
     """
@@ -52,7 +76,7 @@ class Step:
     kind: Kind
     unknowns: tuple[Unknown, ...]
     forms: tuple[Form, ...]
-    coefficients: tuple[tuple[str, Polynomial], ...]
+    letters: tuple[tuple[str, Polynomial | Products], ...]
     roots: int
     penalty: int
 
@@ -62,9 +86,22 @@ class Step:
         equations = [form.equation for form in self.forms]
         return common_origins(equations) or tuple(each.origin for each in equations)
 
+    @property
+    def coefficients(self) -> tuple[tuple[str, Polynomial], ...]:
+        """The type's letters and their polynomials."""
+        return tuple((letter, _worked_out(value)) for letter, value in self.letters)
+
     def coefficient(self, letter: str) -> Polynomial:
         """The polynomial behind one of the type's letters."""
-        return dict(self.coefficients)[letter]
+        return _worked_out(dict(self.letters)[letter])
+
+    def has(self, letter: str) -> bool:
+        """Whether the step has this letter."""
+        return letter in dict(self.letters)
+
+
+def _worked_out(value: Polynomial | Products) -> Polynomial:
+    return value.polynomial if isinstance(value, Products) else value
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,21 +110,23 @@ class View:
 
     knowledge: Knowledge
     witnesses: Witnesses
-    _squares: dict[tuple[Polynomial, Polynomial], Polynomial] = field(default_factory=dict)
 
     def is_constant(self, polynomial: Polynomial) -> bool:
         """Whether a coefficient is made of the arm's lengths alone."""
         return self.knowledge.runs.algebra.is_constant(polynomial)
 
-    def squared_size(self, x: Polynomial, y: Polynomial) -> Polynomial:
-        """x^2 + y^2 in normal form, multiplied out once."""
-        if (x, y) not in self._squares:
-            self._squares[x, y] = self.knowledge.runs.algebra.normal(x * x + y * y)
-        return self._squares[x, y]
+    def products(self, *terms: tuple[int, Polynomial, Polynomial]) -> Products:
+        """The sum of n f g, to be multiplied out when it is wanted."""
+        return Products(terms, self.knowledge.runs.algebra.normal)
 
-    def in_state(self, knowledge: Knowledge) -> View:
-        """The same in another state; what was multiplied out stays known."""
-        return View(knowledge, self.witnesses, self._squares)
+    def is_constant_sum(self, products: Products) -> bool:
+        """Whether a sum of products is made of the arm's lengths alone.
+
+        Where the witnesses show that it varies, it is not multiplied out.
+        """
+        if self.witnesses.surely_varies(products.terms):
+            return False
+        return self.is_constant(products.polynomial)
 
 
 def placing(form: Form) -> int:

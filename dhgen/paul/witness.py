@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POSE_NAMES
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
     from dhgen.kinematics.algebra import Algebra, AngleSum
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 COUNT = 4
+LOOSE = 2
 OWN_LENGTHS = slice(0, COUNT, 2)  # witnesses with the arm's own lengths
 RIGHT_ANGLES = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))  # cosine and sine
 VANISHING = 1e-9  # of the sum of the sizes of a polynomial's terms
@@ -37,12 +40,17 @@ class Witnesses:
 
     Attributes:
         values: Shape (generators, COUNT).
+        loose: The same with the arm's own lengths and a pose that is no pose: what is constant
+            here is so as a polynomial. Shape (generators, LOOSE).
     """
 
     algebra: Algebra
     values: Values
+    loose: Values
     _seen: dict[Polynomial, bool] = field(default_factory=dict)
     _values: dict[Polynomial, Values] = field(default_factory=dict)
+    _sizes: dict[Polynomial, Values] = field(default_factory=dict)
+    _loose_values: dict[Polynomial, Values] = field(default_factory=dict)
 
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
@@ -61,36 +69,62 @@ class Witnesses:
             self._seen[polynomial] = bool(np.any(small))
         return self._seen[polynomial]
 
-    def varies(self, values: Values, sizes: Values) -> bool:
-        """Whether a value is surely not made of the arm's lengths alone.
+    def surely_varies(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
+        """Whether the sum of n f g is surely not made of the arm's lengths alone."""
+        total, sizes = np.zeros(LOOSE), np.zeros(LOOSE)
+        for n, f, g in products:
+            part = n * self._loosely(f) * self._loosely(g)
+            total += part
+            sizes += np.abs(part)
+        return bool(np.ptp(total) > VANISHING * np.max(sizes))
 
-        Args:
-            values: On every witness, shape (COUNT,).
-            sizes: Of the terms that it is the sum of, shape (COUNT,).
-        """
-        own = values[OWN_LENGTHS]
-        return bool(np.ptp(own) > VANISHING * np.max(sizes[OWN_LENGTHS]))
+    def _loosely(self, polynomial: Polynomial) -> Values:
+        """The polynomial where the pose belongs to no configuration, shape (LOOSE,)."""
+        if polynomial not in self._loose_values:
+            self._loose_values[polynomial] = np.sum(_terms(polynomial, self.loose), axis=0)
+        return self._loose_values[polynomial]
 
-    def stays_positive(self, polynomial: Polynomial) -> bool:
-        """Whether a sum of squares in cosines, sines and lengths is nowhere zero at right angles.
+    def sum_vanishes(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
+        """Whether the sum of n f g is zero on any witness, without multiplying it out."""
+        total, sizes = np.zeros(COUNT), np.zeros(COUNT)
+        for n, f, g in products:
+            total += n * self.evaluate(f) * self.evaluate(g)
+            sizes += abs(n) * self._size(f) * self._size(g)
+        return bool(np.any(np.abs(total) <= VANISHING * sizes))
+
+    def _size(self, polynomial: Polynomial) -> Values:
+        """The sum of the sizes of a polynomial's terms on every witness."""
+        if polynomial not in self._sizes:
+            self._sizes[polynomial] = np.sum(np.abs(_terms(polynomial, self.values)), axis=0)
+        return self._sizes[polynomial]
+
+    def stay_apart(self, *polynomials: Polynomial) -> bool:
+        """Whether polynomials in cosines, sines and lengths have no common zero at right angles.
 
         Tried on every combination of multiples of pi/2, with random lengths, which is where the
         factors of a determinant vanish if they do. False when pose entries occur.
         """
-        used = {p for monomial in polynomial for p, exponent in enumerate(monomial) if exponent}
+        used = {
+            place
+            for polynomial in polynomials
+            for monomial in polynomial
+            for place, exponent in enumerate(monomial)
+            if exponent
+        }
         angles = [a for a in self.algebra.angles if used.intersection(self._places(a))]
         inner = {p for a in angles for p in self._places(a)}
         first = len(self.algebra.ring.gens) - len(self.algebra.chain.ring.gens)
         if any(place < first and place not in inner for place in used):
             return False
-        for turns in product(RIGHT_ANGLES, repeat=len(angles)):
-            values = self.values[:, 1:2].copy()
-            for angle, turn in zip(angles, turns, strict=True):
-                values[self._places(angle), 0] = turn
+        corners = np.array(list(product(RIGHT_ANGLES, repeat=len(angles))))
+        values = np.repeat(self.values[:, 1:2], len(corners), axis=1)
+        for number, angle in enumerate(angles):
+            values[self._places(angle)] = corners[:, number].T
+        common = np.ones(len(corners), dtype=bool)
+        for polynomial in polynomials:
             terms = _terms(polynomial, values)
-            if np.sum(terms) <= VANISHING * np.sum(np.abs(terms)):
-                return False
-        return True
+            common &= np.abs(terms.sum(axis=0)) <= VANISHING * np.abs(terms).sum(axis=0)
+        return not common.any()
 
     def _places(self, angle: AngleSum) -> list[int]:
         return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
@@ -115,9 +149,19 @@ def build_witnesses(pool: Pool) -> Witnesses:
         named = _lengths(algebra, source, own=own) | _joints(algebra, source)
         for name, value in named.items():
             values[algebra.index[name], column] = value
-    witnesses = Witnesses(algebra, values)
+    witnesses = Witnesses(algebra, values, _loose(algebra, source))
     _add_pose(pool, witnesses)
     return witnesses
+
+
+def _loose(algebra: Algebra, source: random.Random) -> Values:
+    values = np.zeros((len(algebra.ring.gens), LOOSE))
+    for column in range(LOOSE):
+        named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *POINT_NAMES)}
+        named |= _lengths(algebra, source, own=True) | _joints(algebra, source)
+        for name, value in named.items():
+            values[algebra.index[name], column] = value
+    return values
 
 
 def _lengths(algebra: Algebra, source: random.Random, *, own: bool) -> dict[str, float]:

@@ -198,7 +198,7 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     squares of the longest and shortest reach, D = (H - |Z|^2)(|Z|^2 - L) is accurate also where
     the arm is nearly folded.
     """
-    if "Z" in dict(step.coefficients):
+    if step.has("Z"):
         lower_angle(context, step)
         return
     (angle,) = step.unknowns

@@ -13,11 +13,12 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Products, View
 
 CONSTANT_FACTORS = 10
 CONSTANT_DETERMINANT = 20
 TRIANGLE = 30  # the determinant is a distance that only an arm with equal links can fold to zero
+MIRRORED = 1  # Cramer's rule reads best with a positive determinant
 MAY_VANISH = 300  # both equations may vanish although a third one would decide
 
 MAY_VANISH_REASON = "the determinant X1 Y2 - X2 Y1 may vanish where the angle is not free"
@@ -39,12 +40,10 @@ class AnglePair:
         read = _read(forms)
         if isinstance(read, str):
             return read
-        if not read.is_turned and read.determinant_varies(view):
-            return MAY_VANISH_REASON
         determinant = read.determinant(view)
-        if view.witnesses.vanishes(determinant):
+        if view.witnesses.sum_vanishes(determinant.terms):
             return "the determinant X1 Y2 - X2 Y1 vanishes"
-        if not (view.is_constant(determinant) or read.is_turned):
+        if not (read.is_turned or view.is_constant_sum(determinant)):
             return MAY_VANISH_REASON
         return None
 
@@ -78,18 +77,9 @@ class _Factors:
     x2: Polynomial
     y2: Polynomial
 
-    def determinant(self, view: View) -> Polynomial:
+    def determinant(self, view: View) -> Products:
         """X1 Y2 - X2 Y1."""
-        if self.is_turned:
-            square = view.squared_size(self.x1, self.y1)
-            return square if (self.x2, self.y2) == (-self.y1, self.x1) else -square
-        return view.knowledge.runs.algebra.normal(self.x1 * self.y2 - self.y1 * self.x2)
-
-    def determinant_varies(self, view: View) -> bool:
-        """Whether the determinant is surely no constant, told without multiplying it out."""
-        x1, y1, x2, y2 = map(view.witnesses.evaluate, (self.x1, self.y1, self.x2, self.y2))
-        left, right = x1 * y2, x2 * y1
-        return view.witnesses.varies(left - right, abs(left) + abs(right))
+        return view.products((1, self.x1, self.y2), (-1, self.x2, self.y1))
 
     @property
     def is_turned(self) -> bool:
@@ -119,9 +109,10 @@ def _read(forms: Sequence[Form]) -> _Factors | str:
 
 
 def _conditioning(factors: _Factors, view: View) -> int:
-    determinant = factors.determinant(view)
-    if not view.is_constant(determinant):
-        return TRIANGLE if view.witnesses.stays_positive(determinant) else MAY_VANISH
+    if not view.is_constant_sum(factors.determinant(view)):  # it is a sum of two squares then
+        apart = view.witnesses.stay_apart(factors.x1, factors.y1)
+        mirrored = MIRRORED if factors.x2 == factors.y1 else 0
+        return (TRIANGLE if apart else MAY_VANISH) + mirrored
     entries = (factors.x1, factors.y1, factors.x2, factors.y2)
     simple = all(view.is_constant(entry) for entry in entries)
     return CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form
     from dhgen.paul.knowledge import Cut, Knowledge
-    from dhgen.paul.step import View
+    from dhgen.paul.step import Products, View
+
+    Term = tuple[int, Polynomial, Polynomial]
 
 BY_DIFFERENCE = 100
 BY_ELIMINATION = 240
@@ -85,7 +87,7 @@ class _Vectors:
         return _Vectors(self.forms, self.w, self.v, self.known)
 
     @property
-    def letters(self) -> tuple[tuple[str, Polynomial], ...]:
+    def letters(self) -> tuple[tuple[str, Polynomial | Products], ...]:
         """The components by name."""
         return (
             ("V1", self.v.re),
@@ -158,16 +160,16 @@ def _by_difference(
     vectors: _Vectors, difference: tuple[AngleSum, int], kind: Kind, view: View
 ) -> Step:
     """2 Re(v conj(w) exp(i (p - q))) = |Z|^2 - |v|^2 - |w|^2."""
-    normal = view.knowledge.runs.algebra.normal
     v, w, (angle, sign) = vectors.v, vectors.w, difference
-    re = normal(2 * (v.re * w.re + v.im * w.im))
-    im = normal(2 * (v.im * w.re - v.re * w.im))
-    rest = view.squared_size(v.re, v.im) + view.squared_size(w.re, w.im)
-    letters = (*vectors.letters, ("X", -im * sign), ("Y", re), ("N", rest))
+    re = view.products((2, v.re, w.re), (2, v.im, w.im))
+    im = view.products((-2 * sign, v.im, w.re), (2 * sign, v.re, w.im))
+    rest = (*_square(1, v.re, v.im), *_square(1, w.re, w.im))
+    letters = (*vectors.letters, ("X", im), ("Y", re), ("N", view.products(*rest)))
     penalty = BY_DIFFERENCE + placing(vectors.forms[0])
-    if not (view.is_constant(re) and view.is_constant(im)):
+    if not (view.is_constant_sum(re) and view.is_constant_sum(im)):
         penalty += VARIABLE_FACTORS
-        letters = (*letters, ("Z", view.squared_size(*vectors.known) - rest))
+        minus_rest = tuple((-n, f, g) for n, f, g in rest)
+        letters = (*letters, ("Z", view.products(*_square(1, *vectors.known), *minus_rest)))
     if kind is not Kind.ANGLE_AND_SUM:
         penalty += NOT_A_SUM
     return Step(kind, (angle,), vectors.forms, letters, 2, penalty)
@@ -176,13 +178,18 @@ def _by_difference(
 def _by_elimination(vectors: _Vectors, kind: Kind, view: View) -> Step:
     """2 Re(v exp(i p) conj(Z)) = |Z|^2 + |v|^2 - |w|^2."""
     v, w = vectors.v, vectors.w
-    rest = view.squared_size(v.re, v.im) - view.squared_size(w.re, w.im)
+    rest = (*_square(1, v.re, v.im), *_square(-1, w.re, w.im))
     length = sum(len(part) for part in vectors.known)
     penalty = BY_ELIMINATION + placing(vectors.forms[0]) + length
-    normal = view.knowledge.runs.algebra.normal
     z1, z2 = vectors.known
-    along = normal(2 * (v.re * z1 + v.im * z2))
-    across = normal(2 * v.sense * (v.re * z2 - v.im * z1))
-    total = view.squared_size(z1, z2) + rest
-    letters = (*vectors.letters, ("N", rest), ("X", across), ("Y", along), ("Z", total))
+    along = view.products((2, v.re, z1), (2, v.im, z2))
+    across = view.products((2 * v.sense, v.re, z2), (-2 * v.sense, v.im, z1))
+    total = view.products(*_square(1, z1, z2), *rest)
+    letters = (*vectors.letters, ("N", view.products(*rest)))
+    letters = (*letters, ("X", across), ("Y", along), ("Z", total))
     return Step(kind, (v.angle,), vectors.forms, letters, 2, penalty)
+
+
+def _square(sign: int, x: Polynomial, y: Polynomial) -> tuple[Term, Term]:
+    """x^2 + y^2 with a sign, as terms of a sum of products."""
+    return (sign, x, x), (sign, y, y)
