@@ -8,17 +8,20 @@ position T[0:3, 3] counts; other entries are ignored.
 """
 
 import math
+import os
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 try:
-    from numba import njit, prange
+    from numba import njit
 except ImportError:  # plain Python, only slower
-    prange = range
 
     def njit(*_, **__):
         return lambda function: function
 
+
+_jit = njit(cache=True, error_model="numpy")
 
 NAME = "spherical"
 DOF = 3
@@ -47,19 +50,49 @@ d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 
 _TURN = 6.283185307179586
-_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS])
-_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS])
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 4.0])
 _ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
 
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@njit(cache=True, error_model="numpy")
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
     if len(q) != DOF:
@@ -89,7 +122,7 @@ def fk(q):
     return T
 
 
-@njit(cache=True, error_model="numpy")
+@_jit
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
@@ -118,7 +151,7 @@ def jacobian(q):
     return J
 
 
-@njit(cache=True, error_model="numpy")
+@_jit
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
@@ -140,7 +173,7 @@ def _solve(pose, seed, q, status):
         factor1 = e1 / divisor1
         c1 = math.cos(seed[0]) if free1 else T14 * factor1
         s1 = math.sin(seed[0]) if free1 else T24 * factor1
-        q1 = math.atan2(s1, c1)
+        q1 = _atan2(s1, c1)
         root1 = w1 * e1
 
         # theta2, r3
@@ -156,7 +189,7 @@ def _solve(pose, seed, q, status):
             factor2 = e2 / divisor2
             c2 = math.cos(seed[1]) if free2 else Y2_2 * factor2
             s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
-            q2 = math.atan2(s2, c2)
+            q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
             q[row, 0] = q1
@@ -165,29 +198,25 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
-@njit(cache=True, error_model="numpy")
-def _is_pose(T):
-    """Whether the entries that count make a pose."""
-    return math.isfinite(T[0, 3]) and math.isfinite(T[1, 3]) and math.isfinite(T[2, 3])
-
-
-@njit(cache=True, error_model="numpy")
+@_jit
 def _read(T):
-    """The upper three rows, with the nearest rotation where a pose is only rounded."""
-    pose = (
-        T[0, 0], T[0, 1], T[0, 2], T[0, 3],
-        T[1, 0], T[1, 1], T[1, 2], T[1, 3],
-        T[2, 0], T[2, 1], T[2, 2], T[2, 3],
-    )
-    return pose
+    """Whether T is a pose, and its upper three rows.
+
+    Only the entries that count are looked at.
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@njit(cache=True, error_model="numpy")
+@_jit
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
         return given
-    low, high = _LOWEST[joint] - 1e-09, _HIGHEST[joint] + 1e-09
+    low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
@@ -196,54 +225,58 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@njit(cache=True, error_model="numpy")
+@_jit
 def _ik(T, seed, q, status):
     """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid = _is_pose(T)
+    valid, pose = _read(T)
     for row in range(4):
         status[row] = UNREACHABLE if valid else INVALID_POSE
         for i in range(3):
             q[row, i] = math.nan
     if not valid:
         return 0
-    pose = _read(T)
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
-            q[row, i] = _turned(i, q[row, i], q[row, i])
-            low, high = _LOWEST[i] - 1e-09, _HIGHEST[i] + 1e-09
-            if not low <= q[row, i] <= high:
-                status[row] = OUT_OF_LIMITS
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
 
 
-@njit(cache=True, error_model="numpy", parallel=True)
-def _ik_batch(T, q, status):
-    for k in prange(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-
-def ik_into(T, q, status, q_seed=_ZEROS):
-    """All solutions into the caller's arrays, for control loops.
-
-    Besides the pose only shapes are checked. No memory is allocated.
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
 
     Args:
         T: Pose (4, 4), float64.
         q: Filled with joint values (4, 3), NaN where there is no solution; float64.
         status: Filled with what each row holds (4,); uint8.
-        q_seed: Values for joints that are indeterminate (3,), float64.
+        q_seed: Values for joints that are indeterminate (3,), float64; zeros without it.
 
     Returns:
         How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
     """
-    if q.shape != (MAX_SOLUTIONS, DOF) or status.shape != (MAX_SOLUTIONS,) or T.shape != (4, 4):
+    if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (3,):
+        raise ValueError("q_seed must be (3,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
     return _ik(T, q_seed, q, status)
 
 
@@ -255,12 +288,46 @@ def ik_all(T, q_seed=None):
     Args:
         T: Pose (4, 4).
         q_seed: Values for joints that are indeterminate at this pose (3,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
     """
-    q = np.empty((4, 3))
-    status = np.empty(4, np.uint8)
-    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    _ik(_array(T, (4, 4), "T"), seed, q, status)
+    q, status = np.empty((4, 3)), np.empty(4, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
     return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(3):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(3):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
 
 
 def ik(T, q_seed=None, *, branch=None, limits=True):
@@ -278,66 +345,55 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         Unreachable: There is no such solution; the text says why.
         ValueError: T is no pose, or there is no such branch.
     """
-    seed = _ZEROS if q_seed is None else _vector(q_seed, DOF, "q_seed")
-    rows = range(4) if branch is None else [_row(branch)]
-    q, status = ik_all(T, seed)
+    first, last = (0, 4) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
         raise ValueError("T is no pose: not finite")
-    best, least = None, math.inf
-    for row in rows:
-        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
-            continue
-        values = np.array([_near(i, q[row, i], seed[i], limits) for i in range(DOF)])
-        distance = float(_WEIGHT @ (values - seed) ** 2)
-        if distance < least:
-            best, least = values, distance
-    if best is None:
-        where = "" if branch is None else f" in branch {BRANCHES[rows[0]]}"
-        beyond = any(status[row] == OUT_OF_LIMITS for row in rows)
-        why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
-        raise Unreachable(why + where)
-    return best
+    rows, status, q = rows[first:last], status[first:last], np.empty(3)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
 
 
-def ik_batch(T):
-    """ik_all for N poses (N, 4, 4) on all cores.
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
 
     Returns:
         q (N, 4, 3) and status (N, 4).
     """
     T = _array(T, (len(T), 4, 4), "T")
-    q = np.empty((len(T), 4, 3))
-    status = np.empty((len(T), 4), np.uint8)
-    _ik_batch(T, q, status)
+    q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
     return q, status
 
 
 def _array(values, shape, name):
-    values = np.ascontiguousarray(values, np.float64)
+    values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
     return values
 
 
-def _vector(values, size, name):
-    values = _array(values, (size,), name)
-    if not np.isfinite(values).all():
-        raise ValueError(f"{name} must be finite, not {values}")
-    return values
-
-
-def _row(branch):
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
     if branch in BRANCHES:
-        return BRANCHES.index(branch)
+        branch = BRANCHES.index(branch)
     if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
-        return branch
+        return branch, branch + 1
     raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
-
-
-def _near(joint, value, towards, limits):
-    """A joint value moved by whole turns near to another, if limits count inside its own."""
-    if limits:
-        return _turned(joint, value, towards)
-    if not _REVOLUTE[joint]:
-        return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)

@@ -7,14 +7,12 @@ digit of a cosine differently.
 from __future__ import annotations
 
 from decimal import Decimal, localcontext
-from fractions import Fraction
 from functools import cache
 
 from dhgen.general.circle import CELLS, DEGREE, SAMPLES, sample_cosines
 
 PRECISION = 50
 HALF_CELLS = CELLS // 2
-ARCTANGENT_TERMS = 13  # atan r = r + r³ p(r²) for |r| ≤ tan(π/8): 1e-17 with this many
 
 
 @cache
@@ -64,38 +62,3 @@ def harmonics() -> tuple[tuple[float, ...], ...]:
         row += [sines[m * k % SAMPLES] / 12.0 for m in range(9, 12)]
         rows.append(tuple(row))
     return tuple(rows)
-
-
-@cache
-def arctangent() -> tuple[float, ...]:
-    """The coefficients of p in atan r = r + r³ p(r²), for |r| ≤ tan(π/8).
-
-    p interpolates (atan √u − √u) / u^(3/2) at Chebyshev's nodes in exact arithmetic.
-    """
-    n = ARCTANGENT_TERMS
-    top = Fraction(1716, 10000)  # tan²(π/8)
-    # the nodes may be rounded: only the interpolation has to be exact
-    circle = _circle()
-    nodes = []
-    for i in range(n):
-        angle = round((2 * i + 1) * CELLS / (4 * n))
-        nodes.append(top / 2 * (1 + Fraction(round(float(circle[angle][0]), 6))))
-    differences = [_arctangent_part(u) for u in nodes]
-    for step in range(1, n):
-        for i in reversed(range(step, n)):
-            differences[i] = (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - step])
-    coefficients = [Fraction(0)] * n
-    for node, difference in zip(reversed(nodes), reversed(differences), strict=True):
-        shifted = [Fraction(0), *coefficients[:-1]]
-        coefficients = [s - node * c for s, c in zip(shifted, coefficients, strict=True)]
-        coefficients[0] += difference
-    return tuple(float(c) for c in coefficients)
-
-
-def _arctangent_part(u: Fraction) -> Fraction:
-    """Σ (−1)^(k+1) u^k / (2k + 3), until it no longer matters."""
-    total, power = Fraction(0), Fraction(1)
-    for k in range(40):
-        total += (-1) ** (k + 1) * power / (2 * k + 3)
-        power *= u
-    return total

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from math import pi, sqrt
+from math import pi
 from typing import TYPE_CHECKING
 
 from dhgen.general import circle, polish, reference
 from dhgen.general.determinant import TINY
-from dhgen.general.digits import HALF_CELLS, arctangent, grid, harmonics
+from dhgen.general.digits import HALF_CELLS, grid, harmonics
 from dhgen.general.loop import reach
 from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
+from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -65,8 +66,8 @@ def values(kernel: GeneralKernel) -> dict[str, object]:
 
 def _tolerances() -> dict[str, object]:
     return {
-        "arctangent": _numbers(arctangent()),
-        "tangent": repr(sqrt(2.0) - 1.0),
+        "arctangent": _numbers(arctangent_coefficients()),
+        "tangent": repr(STEEP),
         "pi": repr(pi),
         "turn": repr(2 * pi),
         "half": repr(pi / 2),

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import python_source
+from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import WIDTH, listed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.python_language import Python
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
-from dhgen.targets.walk import general_kernel
+from dhgen.targets.walk import general_kernel, uses
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 INDENT = "    "
+SHARE = 2048  # poses that are worth a thread
 
 
 def python_files(module: SolverModule) -> dict[str, str]:
@@ -37,7 +40,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
         f"{module.length_unit}, angles in rad. {values['task']}"
     )
-    finite = [f"math.isfinite(T[{row}, 3])" for row in module.position_entries]
+    finite = [f"math.isfinite(p{'xyz'[row]})" for row in module.position_entries]
     count = len(module.chain.free)
     given = [f"math.isfinite(q_free[{place}])" for place in range(count)]
     return {
@@ -49,11 +52,13 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "constants": [line for each in constant_texts(module) for line in _constant(*each)],
         "weights": _array("_WEIGHT = np.array", map(repr, module.weights)),
         "free_tuple": f"({', '.join(map(str, module.chain.free))},)",
-        "finite": " and ".join([*finite, *given]),
+        "finite": " and ".join([*finite, *given]) or "True",
         "no_pose": _no_pose(module),
         "free_parameter": ", q_free" if count else "",
-        "free_checked": f', _vector(q_free, {count}, "q_free")' if count else "",
         "free_batch": ", q_free[k]" if count else "",
+        "share": SHARE,
+        "uses_arctangent": uses(module.solver, "atan2"),
+        "arctangent": _arctangent(),
     }
 
 
@@ -101,8 +106,24 @@ def _cells(entries: list[str], columns: int) -> list[tuple[int, int, str]]:
 def _no_pose(module: SolverModule) -> str:
     """What is wrong with a pose that is none."""
     kind = module.chain.task.kind
+    free = ", or the value of a free joint not finite" if module.chain.free else ""
     if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
-        return "not finite, or not a right-handed rotation"
+        return f"not finite, or not a right-handed rotation{free}"
     if kind is TaskKind.POINTING:
-        return "not finite, or its z axis not of length one"
-    return "not finite"
+        return f"not finite, or its z axis not of length one{free}"
+    return f"not finite{free}"
+
+
+def _arctangent() -> dict[str, object]:
+    """The constants of atan2 as text."""
+    highest, *others = reversed(arctangent_coefficients())
+    return {
+        "steep": repr(STEEP),
+        "polynomial": [
+            f"p = {highest!r}",
+            *(f"p = p * u {'-' if c < 0 else '+'} {abs(c)!r}" for c in others),
+        ],
+        "eighth": repr(math.pi / 4),
+        "quarter": repr(math.pi / 2),
+        "half": repr(math.pi),
+    }

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 _FUNCTIONS = {
     "abs": "abs",
     "sqrt": "math.sqrt",
-    "atan2": "math.atan2",
     "copysign": "math.copysign",
+    "atan2": "_atan2",
     "sin": "math.sin",
     "cos": "math.cos",
     "wrap": "_wrap",

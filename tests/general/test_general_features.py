@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhgen.general.determinant import equations, fold
-from dhgen.general.digits import arctangent, grid
+from dhgen.general.digits import grid
 from dhgen.general.features import FEATURES, act, monomials, turn
 from dhgen.general.formulation import formulations
 from dhgen.general.householder import left_null_space
@@ -82,9 +82,6 @@ def test_digits() -> None:
     angles = np.outer(np.arange(1, 9), np.arange(128)) * 2 * np.pi / 256
     np.testing.assert_allclose(cosines, np.cos(angles), atol=1e-14)
     np.testing.assert_allclose(sines, np.sin(angles), atol=1e-14)
-    r = np.linspace(1e-3, np.sqrt(2) - 1, 200)
-    poly = r + r**3 * np.polyval(arctangent()[::-1], r * r)
-    np.testing.assert_allclose(poly, np.arctan(r), rtol=3e-16)
 
 
 def test_gap_wraps() -> None:

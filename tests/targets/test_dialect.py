@@ -85,7 +85,8 @@ def same(one: float, other: float) -> bool:
 def test_python_means_the_same(expression: Expression) -> None:
     text = expression_text(expression, Python())
     tree = ast.fix_missing_locations(FloatDivision().visit(ast.parse(text, mode="eval")))
-    got = eval(compile(tree, "printed", "eval"), {**NAMES, "math": Safe, "divided": divided})  # noqa: S307
+    functions = {"math": Safe, "_atan2": math.atan2, "divided": divided}
+    got = eval(compile(tree, "printed", "eval"), NAMES | functions)  # noqa: S307
     wanted = meaning(expression)
     assert (
         same(got, wanted) or math.isclose(got, wanted, rel_tol=1e-14) or not math.isfinite(wanted)
@@ -94,8 +95,6 @@ def test_python_means_the_same(expression: Expression) -> None:
 
 class Safe:
     """math with the values that floating point has for infinite angles."""
-
-    atan2 = math.atan2
 
     @staticmethod
     def sin(x: float) -> float:

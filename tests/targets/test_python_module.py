@@ -109,8 +109,9 @@ def test_free_joints_are_checked() -> None:
     module = in_python("planar_4r")
     with pytest.raises(ValueError, match=r"q_free must have shape \(1,\), not \(2,\)"):
         module.ik_all(np.eye(4), np.zeros(2))
-    with pytest.raises(ValueError, match="q_free must be finite"):
-        module.ik_all(np.eye(4), [np.nan])
+    assert module.ik_all(np.eye(4), [np.nan])[1].tolist() == [module.INVALID_POSE] * 2
+    with pytest.raises(ValueError, match="the value of a free joint not finite"):
+        module.ik(np.eye(4), [np.nan])
     with pytest.raises(ValueError, match=r"q_free must have shape \(3, 1\), not \(3,\)"):
         module.ik_batch(np.tile(np.eye(4), (3, 1, 1)), np.zeros(3))
     T, q, status = np.eye(4), np.empty((2, 4)), np.empty(2, np.uint8)
@@ -141,6 +142,6 @@ def test_signatures_are_those_of_the_design() -> None:
         "jacobian": "(q)",
         "ik": "(T, q_seed=None, *, branch=None, limits=True)",
         "ik_all": "(T, q_seed=None)",
-        "ik_batch": "(T)",
+        "ik_batch": "(T, *, cores=None)",
     }
     assert str(inspect.signature(in_python("planar_4r").ik_all)) == "(T, q_free, q_seed=None)"

@@ -104,18 +104,21 @@ def test_every_fifth_sign_of_c(compilation: Compilation, function: str, tmp_path
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ("    if not rest <= ", "    if rest > 1e9 + "),  # the last row is not looked at
-        ("math.isfinite(T[0, 3])", "True"),
-        ("return _misfit(T) <= ", "return _misfit(T) <= 1e9 + "),
+        (
+            "valid = valid and rest <= ",
+            "valid = valid and rest <= 1e9 + ",
+        ),  # the last row is not looked at
+        ("math.isfinite(px)", "True"),
+        ("valid = valid and miss <= ", "valid = valid and miss <= 1e9 + "),
         ("status[row] = OUT_OF_LIMITS", "pass"),
         ("= given + _TURN * math.floor", "= given - _TURN * math.floor"),
-        ("weight @ (values - seed)", "weight @ (values + seed)"),
-        ("if distance < least:", "if distance > least or best is None:"),
+        ("moved = rows[row, i] - seed[i]", "moved = rows[row, i] + seed[i]"),
+        ("if distance < least:", "if distance > least or nearest < 0:"),
         ("else OK\n", "else FREE_JOINT\n"),
     ],
 )
 def test_a_check_that_is_left_out(scara: Compilation, old: str, new: str, tmp_path: Path) -> None:
-    text = scara.files["scara.py"].replace("_WEIGHT", "weight")
+    text = scara.files["scara.py"]
     assert old in text
     folder = written(scara, tmp_path, "scara.py", text.replace(old, new))
     with refused(f"{new} for {old}"):
