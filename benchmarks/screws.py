@@ -1,0 +1,61 @@
+"""An arm by its axes at some joint values, as rivals want it that take no table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from benchmarks.contestant import AbsentError
+
+if TYPE_CHECKING:
+    from benchmarks.arms import Arm
+    from dhgen.kinematics.numeric import Array
+
+
+@dataclass(frozen=True, slots=True)
+class Screws:
+    """FK(q) = Rot(axis 1, q1) ... Rot(axis n, qn) home.
+
+    Attributes:
+        directions: Unit vectors in the base frame (n, 3).
+        points: A point of every axis (n, 3).
+        home: The tool's pose (4, 4).
+    """
+
+    directions: Array
+    points: Array
+    home: Array
+
+    @property
+    def offsets(self) -> Array:
+        """From the base over the axes to the tool, (n + 1, 3)."""
+        places = np.vstack([np.zeros(3), self.points, self.home[:3, 3]])
+        return np.diff(places, axis=0)
+
+    def without_home_rotation(self, T: Array) -> Array:
+        """Poses (N, 4, 4) of a tool frame that is parallel to the base at these joint values."""
+        poses = T.copy()
+        poses[:, :3, :3] = T[:, :3, :3] @ self.home[:3, :3].T
+        return poses
+
+
+def screws(arm: Arm, at: tuple[float, ...] | None = None) -> Screws:
+    """The axes at given joint values, zeros if none are given.
+
+    Raises:
+        AbsentError: A joint slides.
+    """
+    if not all(arm.turning):
+        raise AbsentError("takes revolute joints only")
+    q = np.zeros(arm.dof) if at is None else np.array(at)
+    T = np.array(arm.model.base)
+    directions, points = [], []
+    for element in arm.model.elements:
+        if isinstance(element, tuple):
+            sign = arm.model.chain.joints[element[0] - 1].sign
+            directions.append(sign * T[:3, 2])
+            points.append(T[:3, 3].copy())
+        T = T @ arm.model.step(q, element)
+    return Screws(np.array(directions), np.array(points), T @ arm.model.tool)
