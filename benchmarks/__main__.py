@@ -15,7 +15,6 @@ are done beforehand and are not measured. Who can't take part is listed with the
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import tempfile
@@ -27,6 +26,7 @@ from typing import TYPE_CHECKING
 os.environ.update(NUMBA_NUM_THREADS="1", OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
 from benchmarks.arms import CASES, read_arm
+from benchmarks.options import parser
 from benchmarks.quality import judge_all
 from benchmarks.report import DOCUMENT, README, place
 from benchmarks.results import (
@@ -43,6 +43,8 @@ from benchmarks.solvers import solvers
 from dhgen.errors import RobotFileError
 
 if TYPE_CHECKING:
+    from argparse import Namespace
+
     from benchmarks.arms import Case
 
 PICTURE = DOCUMENT.with_suffix(".svg")
@@ -64,7 +66,7 @@ def main(arguments: list[str]) -> None:
     print(f"{machine()}; {options.rounds} rounds\n")
     results = []
     for case in CASES:
-        if options.arms and case.name not in options.arms:
+        if case.name not in options.arms:
             continue
         try:
             result = compare(case, options.poses, options.rounds)
@@ -103,14 +105,11 @@ def write(results: list[Result], rounds: int) -> None:
     draw(results, PICTURE)
 
 
-def _options(arguments: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.add_argument("--arms", nargs="+", choices=[case.name for case in CASES])
-    parser.add_argument("--rounds", type=int, default=30)
-    parser.add_argument("--poses", type=int, default=1000)
-    parser.add_argument("--write", action="store_true", help="update the documents")
-    return parser.parse_args(arguments)
+def _options(arguments: list[str]) -> Namespace:
+    options = parser("benchmarks", __doc__, [case.name for case in CASES])
+    options.add_argument("--rounds", type=int, default=30)
+    options.add_argument("--poses", type=int, default=1000)
+    return options.parse_args(arguments)
 
 
 if __name__ == "__main__":

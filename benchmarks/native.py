@@ -28,6 +28,7 @@ DRIVER = """#define _POSIX_C_SOURCE 199309L
 {shim}
 double bench_time(size_t n, size_t repeats, const double *T, double *q);
 void bench_solve(size_t n, const double *T, double *q);
+void bench_each(size_t n, size_t passes, const double *T, double *seconds, double *q);
 
 static double now(void)
 {{
@@ -50,10 +51,22 @@ void bench_solve(size_t n, const double *T, double *q)
 {{
     {solved}
 }}
+
+/* CPU seconds of every pose alone, in so many passes over all of them. */
+void bench_each(size_t n, size_t passes, const double *T, double *seconds, double *q)
+{{
+    for (size_t k = 0; k < passes * n; k++) {{
+        const double start = now();
+        {single}
+        seconds[k] = now() - start;
+    }}
+}}
 """
 ONE = "for (size_t i = 0; i < n; i++)\n            (void)solve(T + 16 * i, q);"
 EACH = "for (size_t i = 0; i < n; i++)\n        (void)solve(T + 16 * i, q + {size} * i);"
 ALL = "solve_all(n, T, q);"
+SINGLE = "(void)solve(T + 16 * (k % n), q);"
+SINGLE_ALL = "solve_all(1, T + 16 * (k % n), q);"
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,8 +89,8 @@ class Interface:
     def driver(self) -> str:
         """The driver's text."""
         each = EACH.format(size=self.rows * self.dof)
-        timed, solved = (ALL, ALL) if self.batch else (ONE, each)
-        return DRIVER.format(shim=self.shim, timed=timed, solved=solved)
+        timed, solved, single = (ALL, ALL, SINGLE_ALL) if self.batch else (ONE, each, SINGLE)
+        return DRIVER.format(shim=self.shim, timed=timed, solved=solved, single=single)
 
 
 @dataclass(frozen=True, slots=True)

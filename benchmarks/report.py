@@ -44,7 +44,7 @@ def place(path: Path, mark: str, text: str) -> None:
 
 def time_text(nanoseconds: float) -> str:
     """A time with three digits and its unit."""
-    for unit, size in (("ms", 1e6), ("µs", 1e3)):
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
         if nanoseconds >= size:
             return f"{nanoseconds / size:.3g} {unit}"
     return f"{nanoseconds:.3g} ns"

@@ -1,0 +1,45 @@
+"""The command lines of the modules here: which arms, and whether to write."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from benchmarks.arms import CHECKOUT
+from benchmarks.report import DOCUMENT, place
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def parser(
+    module: str, about: str | None, arms: Sequence[str] | None = None
+) -> argparse.ArgumentParser:
+    """A parser with --arms and --write.
+
+    Args:
+        module: What stands after `python -m`.
+        about: The module's docstring.
+        arms: What may be named; every robot file if nothing is given.
+    """
+    made = argparse.ArgumentParser(
+        prog=f"python -m {module}",
+        description=about,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    every = robot_names() if arms is None else list(arms)
+    made.add_argument("--arms", nargs="+", choices=every, default=every, metavar="NAME")
+    made.add_argument("--write", action="store_true", help="update the documents")
+    return made
+
+
+def robot_names() -> list[str]:
+    """Every robot file of the checkout."""
+    return sorted(path.stem for path in (CHECKOUT / "robots").glob("*.yaml"))
+
+
+def show(text: str, mark: str, *, write: bool) -> None:
+    """Prints a table, and puts it into docs/benchmarks.md if asked to."""
+    print(f"\n{text}")
+    if write:
+        place(DOCUMENT, mark, text)

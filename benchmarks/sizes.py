@@ -1,0 +1,102 @@
+"""What the generated files weigh, and what compiling them takes: CPU time of gcc and of numba.
+
+    python -m benchmarks.sizes [--arms NAME ...] [--write]
+
+C is compiled with -O3 -march=native, the object is measured without symbols. numba starts from an
+empty cache; `ik_all` is the first call of one pose, `ik_batch` the first call of a batch after it.
+`--write` puts the table into docs/benchmarks.md.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from benchmarks.native import NATIVE
+from benchmarks.options import parser, show
+from benchmarks.report import table
+from benchmarks.solvers import GENERATED
+from dhgen.verify.native import c_compiler
+
+FIRST_CALLS = """
+import sys, time
+sys.path.insert(0, sys.argv[1])
+import numpy, numba
+from importlib import import_module
+solver = import_module(sys.argv[2])
+free = [numpy.zeros(len(solver.FREE_JOINTS))] if hasattr(solver, "FREE_JOINTS") else []
+T = solver.fk(numpy.full(solver.DOF, 0.3))
+start = time.process_time()
+solver.ik_all(T, *free)
+middle = time.process_time()
+solver.ik_batch(T[None], *(each[None] for each in free))
+print(middle - start, time.process_time() - middle)
+"""
+HEAD = ("arm", "C source", "gcc", "object", "Python source", "ik_all", "ik_batch")
+
+
+def main(arguments: list[str]) -> None:
+    """Prints one line an arm, and the largest of everything."""
+    options = parser("benchmarks.sizes", __doc__).parse_args(arguments)
+    measured = {}
+    for name in options.arms:
+        measured[name] = measure(name)
+        print(name, *_texts(measured[name]), flush=True)
+    largest = tuple(map(max, zip(*measured.values(), strict=True)))
+    rows = [(name, *_texts(each)) for name, each in measured.items()]
+    show(table(HEAD, [*rows, ("largest", *_texts(largest))]), "sizes", write=options.write)
+
+
+def measure(name: str) -> tuple[float, ...]:
+    """Bytes of C, seconds of gcc, bytes of machine code, bytes of Python, seconds of numba (2)."""
+    with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
+        return (
+            float((GENERATED / f"{name}.c").stat().st_size),
+            *_compiled(name, Path(folder)),
+            float((GENERATED / f"{name}.py").stat().st_size),
+            *_first_calls(name, folder),
+        )
+
+
+def _compiled(name: str, folder: Path) -> tuple[float, float]:
+    compiler = c_compiler()
+    if compiler is None:
+        return float("nan"), float("nan")
+    made = folder / f"{name}.o"
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    command = [compiler, *NATIVE, "-s", "-c", str(GENERATED / f"{name}.c"), "-o", str(made)]
+    subprocess.run(command, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    took = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return took, float(made.stat().st_size)
+
+
+def _first_calls(name: str, folder: str) -> tuple[float, ...]:
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_CALLS, str(GENERATED), name],
+        env={**os.environ, "NUMBA_CACHE_DIR": folder},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return tuple(map(float, done.stdout.split()))
+
+
+def _texts(values: tuple[float, ...]) -> tuple[str, ...]:
+    source, gcc, code, python, one, batch = values
+    return (
+        f"{source / 1e3:.1f} kB",
+        f"{gcc:.2f} s",
+        f"{code / 1e3:.1f} kB",
+        f"{python / 1e3:.1f} kB",
+        f"{one:.1f} s",
+        f"{batch:.1f} s",
+    )
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
