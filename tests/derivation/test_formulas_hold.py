@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 TOLERANCE = 1e-9
-ANGLES = "θq"
+ANGLES, RATIOS = "θq", "cs"  # how the letters of what has no unit begin
 
 
 def relations(blocks: list[object]) -> list[Relation]:
@@ -80,8 +80,9 @@ def holds(relation: Relation, letters: Letters) -> bool:
     first = relation.sides[0]
     if isinstance(first, Symbol) and first.text not in letters:
         letters[first.text] = known[-1]
-    turn = isinstance(first, Symbol) and first.text[0] in ANGLES
-    return all(_equal(value, known[-1], turn=turn, size=letters["size"]) for value in known)
+    begins = first.text[0] if isinstance(first, Symbol) else "?"
+    size = 1.0 if begins in ANGLES + RATIOS else letters["size"]
+    return all(_equal(value, known[-1], turn=begins in ANGLES, size=size) for value in known)
 
 
 def _equal(left: object, right: object, *, turn: bool, size: float) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.targets.derivation.expressions import expression_symbol
 from dhgen.targets.derivation.formula import (
     Call,
     Element,
@@ -22,6 +23,7 @@ from dhgen.targets.derivation.formula import (
     Sum,
     Symbol,
 )
+from dhgen.targets.derivation.tables import sign_and_offset
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -106,6 +108,11 @@ def letters_of(story: Story, q: Sequence[float]) -> Letters:
         letters[story.letters[name].text] = inner[joint]
     for number, value in enumerate(q, start=1):
         letters[indexed("q", number)] = value
+    for each in chain.joints:
+        offset = expression_symbol(sign_and_offset(story, each.number)[1]).text
+        letters |= {offset: each.offset, f"({offset})": each.offset}
+        if offset.startswith("−"):  # q = θ − (−x) is printed as θ + x
+            letters[offset[1:]] = -each.offset
     return letters | _matrices(story, inner, values) | _limits(story)
 
 

@@ -6,19 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.survey.oracle.follow import follow
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.survey.oracle.arm import Arm, FloatArray
     from dhgen.survey.oracle.problem import Problem
 
-STEPS = 60
-CONVERGED = 1e-20  # squared residual, lengths in units of the arm
 # Beside a singular pose runs a valley whose floor is nearly a solution. The normal equations
 # cannot see along it, so what ends in one is left to the last digits' better arithmetic.
 NEARLY = 1e-10  # squared residual
-STATIONARY = 1e-14  # squared gradient per squared residual: no way further down
-LEAST_DAMPING, MOST_DAMPING = 1e-12, 1e8
 
 POLISHING_STEPS = 40  # a double root gains one binary digit a step
 STILL = 1e-14  # a step of this size [rad, or arm sizes] is rounding
@@ -29,32 +27,30 @@ REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, si
 
 def descend(problem: Problem, q: FloatArray) -> FloatArray:
     """Follow every start (N, n) downhill; those (M, n) that reached the pose, or nearly."""
-    arrived = []
-    error, J = problem.residual(q)
-    damping = np.full(len(q), 1e-2)
-    for _ in range(STEPS):
-        cost, gradient = _squares(error), np.einsum("kmj,km->kj", J, error)
-        ended = (cost < CONVERGED) | (damping > MOST_DAMPING)
-        ended |= _squares(gradient) < STATIONARY * cost
-        arrived.append(q[ended & (cost < NEARLY)])
-        q, error, J, damping, gradient, cost = (
-            array[~ended] for array in (q, error, J, damping, gradient, cost)
-        )
-        if not len(q):
-            break
-        trial = q.copy()
-        trial[:, problem.moving] -= _damped_step(J, gradient, damping)
-        trial_error, trial_J = problem.residual(trial)
-        better = _squares(trial_error) < cost
-        q = np.where(better[:, None], trial, q)
-        error = np.where(better[:, None], trial_error, error)
-        J = np.where(better[:, None, None], trial_J, J)
-        damping = np.where(better, np.maximum(damping / 8, LEAST_DAMPING), damping * 5)
-    arrived.append(q[_squares(error) < NEARLY])
-    return np.concatenate(arrived)
+    links, twists = link_tables(problem.model)
+    entries = np.flatnonzero(problem.entries)
+    ends = q.copy()
+    squares = follow(
+        links, twists, problem.model.revolute, entries, problem.target, problem.moving, ends
+    )
+    return ends[squares < NEARLY]
 
 
-def polish(problem: Problem, q: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+def link_tables(model: Arm) -> tuple[FloatArray, FloatArray]:
+    """The arm as `follow` takes it: links (n + 1, 3, 3, 4) and twists (n, 6)."""
+    n = len(model.before)
+    links, twists = np.zeros((n + 1, 3, 3, 4)), np.empty((n, 6))
+    for joint, (before, twist) in enumerate(zip(model.before, model.twist, strict=True)):
+        links[joint] = np.stack([before, before @ twist, before @ twist @ twist])[:, :3]
+        xi = before @ twist @ np.linalg.inv(before)
+        twists[joint] = xi[2, 1], xi[0, 2], xi[1, 0], *xi[:3, 3]
+    links[n, 0] = model.end[:3]
+    return links, twists
+
+
+def polish(
+    problem: Problem, q: FloatArray
+) -> tuple[FloatArray, NDArray[np.bool_], NDArray[np.bool_]]:
     """Solutions to the last digits.
 
     Args:
@@ -62,7 +58,7 @@ def polish(problem: Problem, q: FloatArray) -> tuple[FloatArray, NDArray[np.bool
         q: Joint vectors near solutions, shape (N, n).
 
     Returns:
-        Solutions (M, n), and which of them are simple (M,).
+        The joint vectors (N, n), which of them are solutions (N,), and which are simple ones (N,).
     """
     best, least = q.copy(), np.full(len(q), np.inf)
     moved = np.arange(len(q))
@@ -79,17 +75,10 @@ def polish(problem: Problem, q: FloatArray) -> tuple[FloatArray, NDArray[np.bool
             break
         q, moved = q[going], moved[going]
         q[:, problem.moving] -= step[going]
-    best = best[np.sqrt(least) < POLISHED]
+    solved = np.sqrt(least) < POLISHED
     _, J = problem.residual(best)
     simple = np.linalg.svd(J, compute_uv=False)[:, -1] > REGULAR
-    return best, simple & (J.shape[1] >= J.shape[2])
-
-
-def _damped_step(J: FloatArray, gradient: FloatArray, damping: FloatArray) -> FloatArray:
-    normal = np.einsum("kmi,kmj->kij", J, J)
-    normal += damping[:, None, None] * np.eye(normal.shape[-1])
-    step: FloatArray = np.linalg.solve(normal, gradient[..., None])[..., 0]
-    return step
+    return best, solved, solved & simple & (J.shape[1] >= J.shape[2])
 
 
 def _squares(v: FloatArray) -> FloatArray:

@@ -47,6 +47,17 @@ class Found:
     singular: FloatArray
 
 
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Joint vectors, and how many starts ended there."""
+
+    q: FloatArray
+    times: NDArray[np.intp]
+
+    def __getitem__(self, chosen: NDArray[np.bool_]) -> _Places:
+        return _Places(self.q[chosen], self.times[chosen])
+
+
 def all_solutions(
     robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int = 0
 ) -> FloatArray:
@@ -64,44 +75,59 @@ def all_solutions(
     return solve(robot, T, q_free, seed=seed).regular
 
 
-def solve(robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int = 0) -> Found:
-    """Like `all_solutions`, with the singular solutions that the search came across."""
+def solve(
+    robot: Robot,
+    T: ArrayLike,
+    q_free: Sequence[float] = (),
+    *,
+    seed: int = 0,
+    at_least: int = 0,
+) -> Found:
+    """Like `all_solutions`, with the singular solutions that the search came across.
+
+    Args:
+        robot: The robot.
+        T: Pose of the tool in the base, shape (4, 4).
+        q_free: Values of the free joints [rad or length].
+        seed: Of the random starts.
+        at_least: A search that has found fewer goes on for as long as it may.
+    """
     problem = state(robot, np.asarray(T, dtype=float), q_free)
     random = np.random.default_rng(seed)
     batch = BATCH.get(len(problem.moving), LARGEST_BATCH)
-    regular = singular = np.empty((0, len(problem.q)))
-    met = np.empty(0, dtype=np.intp)
+    nowhere = _Places(np.empty((0, len(problem.q))), np.empty(0, np.intp))
+    regular = singular = nowhere
     quiet = 0
     for _ in range(MOST_BATCHES):
-        known = len(regular)
-        q, simple = polish(problem, descend(problem, problem.starts(batch, random)))
-        regular, hits = _merge(problem, regular, q[simple], SAME)
-        singular, _ = _merge(problem, singular, q[~simple], SAME_SINGULAR)
-        met = np.pad(met, (0, len(regular) - known)) + hits
-        quiet = quiet + 1 if len(regular) == known else 0
-        if quiet >= QUIET_BATCHES and np.all(met >= TIMES_MET):
+        known = len(regular.q)
+        ends = descend(problem, problem.starts(batch, random))
+        # most starts end in the same few places
+        places = _merge(problem, nowhere, _Places(ends, np.ones(len(ends), np.intp)), SAME)
+        q, solved, simple = polish(problem, places.q)
+        places = _Places(q, places.times)
+        regular = _merge(problem, regular, places[simple], SAME)
+        singular = _merge(problem, singular, places[solved & ~simple], SAME_SINGULAR)
+        quiet = quiet + 1 if len(regular.q) == known else 0
+        enough = len(regular.q) >= at_least and np.all(regular.times >= TIMES_MET)
+        if quiet >= QUIET_BATCHES and enough:
             break
-    return Found(_handed_out(problem, regular), _handed_out(problem, singular))
+    return Found(_handed_out(problem, regular.q), _handed_out(problem, singular.q))
 
 
-def _merge(
-    problem: Problem, known: FloatArray, found: FloatArray, same: float
-) -> tuple[FloatArray, NDArray[np.intp]]:
-    """Known solutions first, then new ones; and how often each was among the found."""
-    hits = np.zeros(len(known), dtype=np.intp)
-    while len(found):
-        pivot = _wrapped(problem, found[:1])
-        gap = np.abs(_wrapped(problem, found - pivot)).max(axis=1)
-        alike = gap < same
-        to_known = np.abs(_wrapped(problem, known - pivot)).max(axis=1, initial=0.0)
-        match = np.flatnonzero(to_known < same)
+def _merge(problem: Problem, known: _Places, found: _Places, same: float) -> _Places:
+    """Known places first, then new ones; starts that ended in one place are counted together."""
+    q, times = known.q, known.times.copy()
+    while len(found.q):
+        pivot = _wrapped(problem, found.q[:1])
+        alike = np.abs(_wrapped(problem, found.q - pivot)).max(axis=1) < same
+        count = found[alike].times.sum()
+        match = np.flatnonzero(np.abs(_wrapped(problem, q - pivot)).max(axis=1, initial=0.0) < same)
         if len(match):
-            hits[match[0]] += np.count_nonzero(alike)
+            times[match[0]] += count
         else:
-            known = np.concatenate([known, pivot])
-            hits = np.append(hits, np.count_nonzero(alike))
+            q, times = np.concatenate([q, pivot]), np.append(times, count)
         found = found[~alike]
-    return known, hits
+    return _Places(q, times)
 
 
 def _wrapped(problem: Problem, q: FloatArray) -> FloatArray:

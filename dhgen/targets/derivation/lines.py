@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.formula import Call, Listing, Minus, Product, Relation, Sum
+from dhgen.targets.derivation.formula import Call, Listing, Minus, Product, Quotient, Relation, Sum
 from dhgen.targets.derivation.style import PLAIN, is_tall, show, signed_terms
 
 if TYPE_CHECKING:
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 WIDTH = 100  # visible characters of a line
 INDENT = 4
 SHORT = 10  # visible characters that may follow a long side on its line
+BREAKS_TALL = 75  # visible characters of a product from which even tall brackets are broken
 
 
 def width(formula: Formula) -> int:
@@ -97,19 +98,22 @@ def _pieces(formula: Formula, style: Style) -> list[str]:
         case Minus(operand):
             first, *rest = _pieces(operand, style)
             if isinstance(operand, Sum):
-                return [show(formula, style)]
+                return _enclosed(f"{style.minus}(", [first, *rest], ")")
             return [style.minus + first, *rest]
-        case Product(factors) if isinstance(factors[-1], Sum) and not is_tall(factors[-1]):
+        case Quotient(over, under) if width(over) > WIDTH:
+            below = show(under, style)
+            below = f"({below})" if isinstance(under, Sum | Product) else below
+            return _enclosed("(", _pieces(over, style), f")/{below}")
+        case Product(factors) if isinstance(factors[-1], Sum) and (
+            not is_tall(factors[-1]) or width(formula) > BREAKS_TALL
+        ):
             before = " ".join(
                 show(f, style) if not isinstance(f, Sum) else f"({show(f, style)})"
                 for f in factors[:-1]
             )
-            first, *rest = _pieces(factors[-1], style)
-            parts = [f"{before} ({first}", *rest]
-            parts[-1] += ")"
-            return parts
+            return _enclosed(f"{before} (", _pieces(factors[-1], style), ")")
         case Call(function, arguments) if not any(map(is_tall, arguments)):
-            parts = []
+            parts: list[str] = []
             for argument in arguments:
                 first, *rest = _pieces(argument, style)
                 opening = f"{style.function(function)}(" if not parts else " "
@@ -128,10 +132,16 @@ def _sum_pieces(terms: tuple[Formula, ...], style: Style) -> list[str]:
     parts: list[str] = []
     for term, text in zip(terms, signed_terms(terms, style), strict=True):
         inner = term.operand if isinstance(term, Minus) else term
-        pieces = _pieces(inner, style)
-        whole = "".join(pieces)
+        pieces, whole = _pieces(inner, style), show(inner, style)
         if len(pieces) > 1 and text.endswith(whole):
             parts += [text[: -len(whole)] + pieces[0], *pieces[1:]]
         else:
             parts.append(text)
+    return parts
+
+
+def _enclosed(opening: str, pieces: list[str], closing: str) -> list[str]:
+    first, *rest = pieces
+    parts = [opening + first, *rest]
+    parts[-1] += closing
     return parts

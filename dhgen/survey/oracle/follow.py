@@ -1,0 +1,188 @@
+"""Levenberg-Marquardt from many starts, compiled: the loop in which the oracle spends its time."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, TypeVar, cast
+
+import numpy as np
+from numba import njit
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from dhgen.survey.oracle.arm import FloatArray
+
+    Indices = NDArray[np.intp]
+
+F = TypeVar("F", bound="Callable[..., object]")
+
+STEPS = 60
+CONVERGED = 1e-20  # squared residual, lengths in units of the arm
+# Squared gradient per squared residual: no way further down. Near a pose, a singular one may be
+# all that makes the gradient small.
+STATIONARY, STATIONARY_NEAR = 1e-10, 1e-14
+NEAR = 1e-8  # squared residual
+FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-2, 1e-12, 1e8
+EASED, RAISED = 8.0, 5.0  # damping after a step that gained, and after one that did not
+
+
+def _compiled(function: F) -> F:
+    """A function as machine code, kept for other processes."""
+    return cast("F", njit(cache=True)(function))
+
+
+@_compiled
+def _place(
+    links: FloatArray,
+    twists: FloatArray,
+    turning: NDArray[np.bool_],
+    q: FloatArray,
+    T: FloatArray,
+    axes: FloatArray,
+) -> None:
+    """The tool's pose T (3, 4), and each joint's twist in the base, axes (n, 6), are written."""
+    n = len(q)
+    T[:] = 0.0
+    T[0, 0] = T[1, 1] = T[2, 2] = 1.0
+    moved, link = np.empty(3), np.empty(3)
+    for joint in range(n + 1):
+        first, second = 0.0, 0.0
+        if joint < n:
+            first = math.sin(q[joint]) if turning[joint] else q[joint]
+            # without the cancellation of 1 - cos q near zero
+            second = 2.0 * math.sin(0.5 * q[joint]) ** 2 if turning[joint] else 0.0
+            w, v = twists[joint, :3], twists[joint, 3:]
+            for i in range(3):
+                axes[joint, i] = T[i, 0] * w[0] + T[i, 1] * w[1] + T[i, 2] * w[2]
+                axes[joint, 3 + i] = T[i, 0] * v[0] + T[i, 1] * v[1] + T[i, 2] * v[2]
+            for i in range(3):
+                j, k = (i + 1) % 3, (i + 2) % 3
+                axes[joint, 3 + i] += T[j, 3] * axes[joint, k] - T[k, 3] * axes[joint, j]
+        step = links[joint]
+        for i in range(3):
+            moved[:] = T[i, :3]
+            for column in range(4):
+                for row in range(3):
+                    link[row] = (
+                        step[0, row, column]
+                        + first * step[1, row, column]
+                        + second * step[2, row, column]
+                    )
+                here = moved[0] * link[0] + moved[1] * link[1] + moved[2] * link[2]
+                T[i, column] = here + (T[i, 3] if column == 3 else 0.0)
+
+
+@_compiled
+def _linearise(
+    T: FloatArray,
+    axes: FloatArray,
+    entries: Indices,
+    target: FloatArray,
+    moving: Indices,
+    error: FloatArray,
+    J: FloatArray,
+) -> float:
+    """The error (m,) and its Jacobian (m, moving joints) are written; the squared error."""
+    squares = 0.0
+    for row in range(len(entries)):
+        i, column = entries[row] // 4, entries[row] % 4
+        error[row] = T[i, column] - target[row]
+        squares += error[row] * error[row]
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for place in range(len(moving)):
+            axis = axes[moving[place]]
+            rate = axis[j] * T[k, column] - axis[k] * T[j, column]
+            J[row, place] = rate + (axis[3 + i] if column == 3 else 0.0)
+    return squares
+
+
+@_compiled
+def _damped_step(
+    J: FloatArray, gradient: FloatArray, damping: float, L: FloatArray, step: FloatArray
+) -> None:
+    """Solves (J'J + damping I) step = gradient by Cholesky's factors, written to L and step."""
+    n = len(gradient)
+    for i in range(n):
+        for j in range(i + 1):
+            total = damping if i == j else 0.0
+            for row in range(len(J)):
+                total += J[row, i] * J[row, j]
+            for k in range(j):
+                total -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(max(total, 1e-300)) if i == j else total / L[j, j]
+    for i in range(n):
+        total = gradient[i]
+        for k in range(i):
+            total -= L[i, k] * step[k]
+        step[i] = total / L[i, i]
+    for i in range(n - 1, -1, -1):
+        total = step[i]
+        for k in range(i + 1, n):
+            total -= L[k, i] * step[k]
+        step[i] = total / L[i, i]
+
+
+@_compiled
+def follow(
+    links: FloatArray,
+    twists: FloatArray,
+    turning: NDArray[np.bool_],
+    entries: Indices,
+    target: FloatArray,
+    moving: Indices,
+    q: FloatArray,
+) -> FloatArray:
+    """Follows every start downhill.
+
+    Args:
+        links: (n + 1, 3, 3, 4). A joint's transform is the first, plus sin q (or the length q)
+            times the second, plus 1 - cos q times the third; the last is the tool's.
+        twists: (n, 6), each joint's twist, turn and speed, before its constant transform.
+        turning: (n,), which joints turn.
+        entries: (m,), which of the twelve entries of the pose count.
+        target: (m,), their values.
+        moving: (k,), the joints that may move.
+        q: (N, n), the starts; overwritten with the ends.
+
+    Returns:
+        The squared residuals of the ends (N,).
+    """
+    n, m, k = q.shape[1], len(entries), len(moving)
+    T, axes, L = np.empty((3, 4)), np.empty((n, 6)), np.empty((k, k))
+    error, J, gradient, step = np.empty(m), np.empty((m, k)), np.empty(k), np.empty(k)
+    trial, trial_error, trial_J = np.empty(n), np.empty(m), np.empty((m, k))
+    costs = np.empty(len(q))
+    for start in range(len(q)):
+        here = q[start]
+        damping = FIRST_DAMPING
+        _place(links, twists, turning, here, T, axes)
+        cost = _linearise(T, axes, entries, target, moving, error, J)
+        for _ in range(STEPS):
+            if cost < CONVERGED or damping > MOST_DAMPING:
+                break
+            slope = 0.0
+            for i in range(k):
+                gradient[i] = 0.0
+                for row in range(m):
+                    gradient[i] += J[row, i] * error[row]
+                slope += gradient[i] * gradient[i]
+            if slope < (STATIONARY_NEAR if cost < NEAR else STATIONARY) * cost:
+                break
+            _damped_step(J, gradient, damping, L, step)
+            trial[:] = here
+            for i in range(k):
+                trial[moving[i]] -= step[i]
+            _place(links, twists, turning, trial, T, axes)
+            reached = _linearise(T, axes, entries, target, moving, trial_error, trial_J)
+            if reached < cost:
+                here[:], cost = trial, reached
+                error, trial_error = trial_error, error
+                J, trial_J = trial_J, J
+                damping = max(damping / EASED, LEAST_DAMPING)
+            else:
+                damping *= RAISED
+        costs[start] = cost
+    return costs

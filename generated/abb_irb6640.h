@@ -1,0 +1,67 @@
+/* abb_irb6640: ABB IRB 6640-185/2.8
+ *
+ * Inverse kinematics, generated from robots/abb_irb6640.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/abb_irb6640.yaml. The formulas and where they come from:
+ * abb_irb6640.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef ABB_IRB6640_H
+#define ABB_IRB6640_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    ABB_IRB6640_DOF = 6, /* joints */
+    ABB_IRB6640_ROWS = 8 /* branches */
+};
+
+/* What a row of abb_irb6640_ik holds. */
+enum {
+    /* joint values */
+    ABB_IRB6640_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    ABB_IRB6640_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    ABB_IRB6640_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    ABB_IRB6640_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    ABB_IRB6640_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const abb_irb6640_branches[8];
+
+/* The pose T of the joint values q. */
+void abb_irb6640_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void abb_irb6640_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -ABB_IRB6640_INVALID_POSE. */
+int abb_irb6640_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns ABB_IRB6640_OK or ABB_IRB6640_FREE_JOINT, or, with NaN in q,
+ * minus ABB_IRB6640_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* abb_irb6640_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void abb_irb6640_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* comau_ns16: Comau NS 16 Hand
+ *
+ * Inverse kinematics, generated from robots/comau_ns16.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/comau_ns16.yaml. The formulas and where they come from:
+ * comau_ns16.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef COMAU_NS16_H
+#define COMAU_NS16_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    COMAU_NS16_DOF = 6, /* joints */
+    COMAU_NS16_ROWS = 8 /* branches */
+};
+
+/* What a row of comau_ns16_ik holds. */
+enum {
+    /* joint values */
+    COMAU_NS16_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    COMAU_NS16_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    COMAU_NS16_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    COMAU_NS16_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    COMAU_NS16_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const comau_ns16_branches[8];
+
+/* The pose T of the joint values q. */
+void comau_ns16_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void comau_ns16_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -COMAU_NS16_INVALID_POSE. */
+int comau_ns16_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns COMAU_NS16_OK or COMAU_NS16_FREE_JOINT, or, with NaN in q,
+ * minus COMAU_NS16_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* comau_ns16_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void comau_ns16_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,725 @@
+/* concurrent_345: Arm whose axes 3, 4 and 5 meet
+ *
+ * Inverse kinematics, generated from robots/concurrent_345.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/concurrent_345.yaml. The formulas and where they come from:
+ * concurrent_345.md.
+ */
+#include "concurrent_345.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+static double horner(const double p[5], double t)
+{
+    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/* The root between two points with values of unlike sign. */
+static double bracketed(const double p[5], double low, double high, double at_low)
+{
+    double t = 0.5 * (low + high);
+    for (int k = 0; k < 100; k++) {
+        const double value = horner(p, t);
+        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
+        if ((value < 0.0) == (at_low < 0.0))
+            low = t;
+        else
+            high = t;
+        double following = slope != 0.0 ? t - value / slope : low;
+        if (!(low < following && following < high))
+            following = 0.5 * (low + high);
+        if (fabs(following - t) <= 2e-16 * fabs(t))
+            return following;
+        t = following;
+    }
+    return t;
+}
+
+/* Roots of a polynomial that is monotone between neighbouring edges. */
+static int between(const double p[5], const double *edges, int count, double tolerance, double *found)
+{
+    int roots = 0;
+    double before = edges[0], at_before = horner(p, edges[0]);
+    for (int k = 1; k < count; k++) {
+        const double edge = edges[k], size = 1.0 + edge * edge;
+        double value = horner(p, edge);
+        if (k < count - 1 && fabs(value) <= tolerance * size * size)
+            value = 0.0;
+        if (at_before * value < 0.0)
+            found[roots++] = bracketed(p, before, edge, at_before);
+        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
+            found[roots++] = edge;
+        before = edge;
+        at_before = value;
+    }
+    return roots;
+}
+
+/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the second. */
+static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
+{
+    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
+    double best = -1.0, apart = 0.0, edges[5], extrema[4];
+    int count = 0;
+    x[0] = x[1] = x[2] = x[3] = NAN;
+    if (!(size > 0.0 && isfinite(size)))
+        return;
+    for (int k = 0; k < 16; k++) {
+        const double at = turn * k / 16, c = cos(at), s = sin(at);
+        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
+        if (value > best) {
+            best = value;
+            apart = at;
+        }
+    }
+    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
+    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
+    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
+    const double lead = a0 - u1 + u2;
+    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
+        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
+    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
+    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
+    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
+    edges[0] = -bound;
+    if (square > 0.0) {
+        edges[1] = -half - sqrt(square);
+        edges[2] = -half + sqrt(square);
+        count = 2;
+    }
+    edges[count + 1] = bound;
+    count = between(slope, edges, count + 2, 0.0, extrema);
+    for (int k = 0; k < count; k++)
+        edges[k + 1] = extrema[k];
+    edges[count + 1] = bound;
+    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    for (int k = 0; k < count; k++) {
+        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
+        const double ca = cos(at), sa = sin(at);
+        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
+        if (fabs(rate) > 0.0001 * size)
+            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
+        at -= turn * ceil(at / turn - 0.5);
+        int place = k;
+        for (; place > 0 && x[place - 1] > at; place--)
+            x[place] = x[place - 1];
+        x[place] = at;
+    }
+}
+
+static const double d1 = 0.3; /* joint offset 1 [m] */
+static const double a1 = 0.2; /* link length 1 [m] */
+static const double sqrt2 = 1.4142135623730951; /* square root of 2 */
+static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
+static const double d2 = 0.1; /* joint offset 2 [m] */
+static const double a2 = 0.35; /* link length 2 [m] */
+static const double d3 = 0.25; /* joint offset 3 [m] */
+static const double d5 = 0.2; /* joint offset 5 [m] */
+static const double a5 = 0.15; /* link length 5 [m] */
+static const double d6 = 0.1; /* joint offset 6 [m] */
+static const double a6 = 0.2; /* link length 6 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 3.422499999999999e-24;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+static const double k1 = 2.732050807568877; /* sqrt3 + 1 */
+static const double k2 = 0.125; /* 1 / 8 */
+static const double k3 = 0.12074072828613354; /* d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m] */
+static const double k4 = 0.25; /* 1 / 4 */
+/* (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2] */
+static const double k5 = -0.06755556302831987;
+static const double k6 = 0.3380740392011739; /* a2 * sqrt2 * (sqrt3 + 1) / 4 [m] */
+/* (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2] */
+static const double k7 = 0.25284442352070435;
+static const double k8 = 1.6; /* 8 * a6 [m] */
+static const double k9 = 0.4; /* d5 + 2 * d6 [m] */
+/* d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m] */
+static const double k10 = 3.0553429721660432;
+static const double k11 = 0.3; /* 2 * a5 [m] */
+static const double k12 = 0.5; /* 1 / 2 */
+static const double k13 = 0.34641016151377546; /* d5 * sqrt3 [m] */
+static const double k14 = 0.0625; /* d3^2 [m^2] */
+/* d1 * (d1 * 4 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3))) + 4 * (a1^2 + (sqrt3 * d3 *
+ * d2 + (d2^2 + (a2^2 + (d3^2 - (d5 * (d5 + d6) + (a5^2 + (d2^2 + a1^2)))))))) [m^2] */
+static const double k15 = 1.1398079724067007;
+static const double k16 = 0.06; /* 2 * a6 * a5 [m^2] */
+static const double k17 = 0.06928203230275509; /* a6 * d5 * sqrt3 [m^2] */
+/* ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 *
+ * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6] */
+static const double k18 = 0.0028480795858198678;
+/* 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 - (d1 *
+ * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3] */
+static const double k19 = 18.738030414662138;
+static const double k20 = 0.7; /* 2 * a2 [m] */
+static const double k21 = 0.7320508075688772; /* sqrt3 - 1 */
+static const double k22 = 0.1830127018922193; /* d3 * (sqrt3 - 1) [m] */
+static const double k23 = 0.512435565298214; /* 2 * a2 * (sqrt3 - 1) [m] */
+static const double k24 = 1.7294228634059947; /* sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m] */
+static const double k25 = -1.2679491924311228; /* sqrt3 - 3 */
+static const double k26 = 4.732050807568877; /* sqrt3 + 3 */
+static const double k27 = 0.8660254037844386; /* sqrt3 / 2 */
+static const double k28 = 1.4196152422706632; /* d1 * (sqrt3 + 3) [m] */
+static const double k29 = 1.3856406460551018; /* 4 * d5 * sqrt3 [m] */
+static const double k30 = 1.035276180410083; /* sqrt2 * (sqrt3 - 1) */
+static const double k31 = 0.7105828541230249; /* d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m] */
+static const double k32 = 0.8; /* 4 * a1 [m] */
+static const double k33 = 0.8196152422706632; /* d1 * (sqrt3 + 1) [m] */
+static const double k34 = 1.4; /* 4 * a2 [m] */
+static const double k35 = 7.698003589195011; /* 1 / (a5 * sqrt3 / 2) [m^-1] */
+static const double f1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+static const double f2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+/* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+static const double f3 = 0.025881904510252077;
+static const double f4 = 0.5; /* 1 / 2 */
+static const double f5 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double f6 = 0.12940952255126037; /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+/* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double f7 = 0.22414386804201336;
+static const double g1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+static const double g2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+/* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+static const double g3 = 0.025881904510252077;
+static const double g4 = 0.5; /* 1 / 2 */
+static const double g5 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double g6 = 0.12940952255126037; /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+/* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double g7 = 0.22414386804201336;
+
+const char *const concurrent_345_branches[8] = {
+    "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
+    "root4-noflip", "root4-flip",
+};
+
+static const double lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+void concurrent_345_fk(const double q[6], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double v1 = s1 * f1;
+    const double y1_y = c1 * f1;
+    const double z1_x = s1 * f2;
+    const double v2 = c1 * f2;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = f2 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = f2 * c2;
+    const double y2_x = z1_x * f4 - v3 * f5;
+    const double y2_y = v4 * f5 - v2 * f4;
+    const double y2_z = v5 * f5 + f6;
+    const double z2_x = v3 * f4 + z1_x * f5;
+    const double v6 = v4 * f4 + v2 * f5;
+    const double z2_z = f7 - v5 * f4;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double y4_x = y2_x * c3 - x2_x * s3;
+    const double y4_y = y2_y * c3 - x2_y * s3;
+    const double y4_z = y2_z * c3 - x2_z * s3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z2_x * s4;
+    const double x4_y = x3_y * c4 - v6 * s4;
+    const double x4_z = x3_z * c4 + z2_z * s4;
+    const double z4_x = z2_x * c4 - x3_x * s4;
+    const double v7 = v6 * c4 + x3_y * s4;
+    const double z4_z = z2_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = x4_z * c5 + y4_z * s5;
+    const double v8 = y4_x * c5 - x4_x * s5;
+    const double v9 = y4_y * c5 - x4_y * s5;
+    const double v10 = y4_z * c5 - x4_z * s5;
+    const double y5_x = f4 * v8 + f5 * z4_x;
+    const double y5_y = f4 * v9 - f5 * v7;
+    const double y5_z = f4 * v10 + f5 * z4_z;
+    const double T13_ = f4 * z4_x - f5 * v8;
+    const double v11 = f5 * v9 + f4 * v7;
+    const double T33_ = f4 * z4_z - f5 * v10;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6;
+    const double T21_ = x5_y * c6 + y5_y * s6;
+    const double T31_ = x5_z * c6 + y5_z * s6;
+    const double T12_ = y5_x * c6 - x5_x * s6;
+    const double T22_ = y5_y * c6 - x5_y * s6;
+    const double T32_ = y5_z * c6 - x5_z * s6;
+    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ *
+        a6 + T13_ * d6;
+    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 -
+        v11 * d6;
+    const double T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ *
+        d6;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = -v11; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void concurrent_345_jacobian(const double q[6], double J[36])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
+    const double v1 = s1 * g1;
+    const double y1_y = c1 * g1;
+    const double J42 = s1 * g2;
+    const double v2 = c1 * g2;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = g2 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = g2 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
+    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
+    const double p2_z = d1 + x2_z * a2 + g3;
+    const double y2_x = J42 * g4 - v3 * g5;
+    const double y2_y = v4 * g5 - v2 * g4;
+    const double y2_z = v5 * g5 + g6;
+    const double J43 = v3 * g4 + J42 * g5;
+    const double v6 = v4 * g4 + v2 * g5;
+    const double J63 = g7 - v5 * g4;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double y4_x = y2_x * c3 - x2_x * s3;
+    const double y4_y = y2_y * c3 - x2_y * s3;
+    const double y4_z = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + J43 * d3;
+    const double p3_y = p2_y - v6 * d3;
+    const double p3_z = p2_z + J63 * d3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4;
+    const double x4_y = x3_y * c4 - v6 * s4;
+    const double x4_z = x3_z * c4 + J63 * s4;
+    const double J45 = J43 * c4 - x3_x * s4;
+    const double v7 = v6 * c4 + x3_y * s4;
+    const double J65 = J63 * c4 - x3_z * s4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = x4_z * c5 + y4_z * s5;
+    const double v8 = y4_x * c5 - x4_x * s5;
+    const double v9 = y4_y * c5 - x4_y * s5;
+    const double v10 = y4_z * c5 - x4_z * s5;
+    const double p5_x = p3_x + x5_x * a5 + J45 * d5;
+    const double p5_y = p3_y + x5_y * a5 - v7 * d5;
+    const double p5_z = p3_z + x5_z * a5 + J65 * d5;
+    const double J46 = g4 * J45 - g5 * v8;
+    const double v11 = g5 * v9 + g4 * v7;
+    const double J66 = g4 * J65 - g5 * v10;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6;
+    const double p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6;
+    const double p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6;
+    const double v12 = J21 - p1_x;
+    const double v13 = p6_y - p1_y;
+    const double v14 = p6_z - d1;
+    const double J22 = g1 * v12 - J42 * v14;
+    const double J32 = J42 * v13 + v2 * v12;
+    const double v15 = J21 - p2_x;
+    const double v16 = p6_y - p2_y;
+    const double v17 = p6_z - p2_z;
+    const double J23 = J63 * v15 - J43 * v17;
+    const double J33 = J43 * v16 + v6 * v15;
+    const double v18 = J21 - p3_x;
+    const double v19 = p6_y - p3_y;
+    const double v20 = p6_z - p3_z;
+    const double J14 = -y4_y * v20 - -y4_z * v19;
+    const double J24 = -y4_z * v18 - -y4_x * v20;
+    const double J34 = -y4_x * v19 - -y4_y * v18;
+    const double J25 = J65 * v18 - J45 * v20;
+    const double J35 = J45 * v19 + v7 * v18;
+    const double v21 = J21 - p5_x;
+    const double v22 = p6_y - p5_y;
+    const double v23 = p6_z - p5_z;
+    const double J26 = J66 * v21 - J46 * v23;
+    const double J36 = J46 * v22 + v11 * v21;
+    J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + J63 * v16); J[3] = J14;
+    J[4] = -(v7 * v20 + J65 * v19); J[5] = -(v11 * v23 + J66 * v22);
+    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
+    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
+    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = -y4_x; J[22] = J45; J[23] = J46;
+    J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = -y4_y; J[28] = -v7; J[29] = -v11;
+    J[30] = 1.0; J[31] = g1; J[32] = J63; J[33] = -y4_z; J[34] = J65; J[35] = J66;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1 */
+    const double v1 = T31 * k8 + (T33 * k8 + (k10 - 8.0 * T34));
+    const double R1_6 = k2 * v1;
+    const double v2 = T31 * k11 + d5 * (sqrt3 * T32);
+    const double R1c6 = v2 * k12;
+    const double v3 = T31 * k13 - 2.0 * (T32 * a5);
+    const double R1s6 = k12 * v3;
+    const double v4 = T11 * (8.0 * (a6 * T14)) + (T13 * (4.0 * (k9 * T14)) + (T21 * (8.0 * (a6 *
+        T24)) + (T23 * (4.0 * (k9 * T24)) + (T31 * (8.0 * (T34 * a6)) + (T33 * (4.0 * (T34 * k9)) +
+        (k15 - T34 * (4.0 * T34))) - T24 * (4.0 * T24))) - T14 * (4.0 * T14)));
+    const double R2_6 = k4 * v4;
+    const double v5 = 2.0 * (a5 * T14);
+    const double v6 = d5 * (sqrt3 * T14);
+    const double v7 = 2.0 * (a5 * T24);
+    const double v8 = d5 * (sqrt3 * T24);
+    const double v9 = 2.0 * (T34 * a5);
+    const double v10 = d5 * (sqrt3 * T34);
+    const double R2c6 = T11 * v5 + (T12 * v6 + (T21 * v7 + (T22 * v8 + (T31 * v9 + (T32 * v10 -
+        k16)))));
+    const double R2s6 = T11 * v6 - (T12 * v5 + (T22 * v7 + (T32 * v9 + k17 - T31 * v10) - T21 *
+        v8));
+    const double v11 = k6 * R2_6 - k7 * R1_6;
+    const double v12 = k6 * R2c6 - k7 * R1c6;
+    const double v13 = k6 * R2s6 - k7 * R1s6;
+    const double v14 = k3 * R2_6 - k5 * R1_6;
+    const double v15 = k3 * R2c6 - k5 * R1c6;
+    const double v16 = k3 * R2s6 - k5 * R1s6;
+    const double v17 = v12 * v12;
+    const double v18 = v13 * v13;
+    const double v19 = 2.0 * v11;
+    const double v20 = v15 * v15;
+    const double v21 = v16 * v16;
+    const double v22 = 2.0 * v14;
+    double x6_roots[4];
+    circle_roots(v11 * v11 + k12 * (v17 + v18) + (v14 * v14 + k12 * (v20 + v21)) - k18, v12 * v19 +
+        v15 * v22, v13 * v19 + v16 * v22, k12 * (v17 - v18) + k12 * (v20 - v21), v12 * v13 + v15 *
+        v16, x6_roots);
+
+    /* theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1 */
+    const double v23 = 4.0 * v2;
+    const double v24 = 4.0 * v3;
+    const double v26 = 4.0 * R2c6;
+    const double v27 = 4.0 * R2s6;
+
+    /* theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4] */
+    const double v29 = sqrt3 * T22;
+    const double v30 = k11 * T21 + d5 * v29;
+    const double v31 = k13 * T21 - 2.0 * (a5 * T22);
+    const double v32 = k9 * T21 + (k9 * T23 - 2.0 * T24);
+    const double v34 = sqrt3 * T12;
+    const double v35 = k11 * T11 + d5 * v34;
+    const double v36 = k13 * T11 - 2.0 * (a5 * T12);
+    const double v37 = k9 * T11 + (k9 * T13 - 2.0 * T14);
+
+    /* theta3, type 2: U3 (A5 A6)^-1 [3, 3] */
+    const double v40 = sqrt3 * T11;
+    const double v41 = T22 * k25;
+    const double v42 = T21 * k25;
+    const double v43 = T23 * k21;
+    const double v44 = sqrt3 * T21;
+    const double v45 = T12 * k25;
+    const double v46 = T11 * k25;
+    const double v47 = T13 * k21;
+    const double v48 = T32 * k26;
+    const double v49 = T31 * k26;
+    const double v50 = k1 * T33;
+    const double v52 = 3.0 * (T22 * k21);
+    const double v53 = 3.0 * (T21 * k21);
+    const double v54 = T23 * k25;
+    const double v55 = 3.0 * T12;
+    const double v56 = 3.0 * T11;
+    const double v57 = sqrt3 * T13;
+    const double v58 = T22 * k26;
+    const double v59 = T21 * k26;
+    const double v60 = k1 * T23;
+    const double v61 = 3.0 * (T12 * k21);
+    const double v62 = 3.0 * (T11 * k21);
+    const double v63 = T13 * k25;
+    const double v64 = 3.0 * T22;
+    const double v65 = 3.0 * T21;
+    const double v66 = sqrt3 * T23;
+    const double v67 = T12 * k26;
+    const double v68 = T11 * k26;
+    const double v69 = k1 * T13;
+    const double v70 = 3.0 * (k1 * T32);
+    const double v71 = 3.0 * (k1 * T31);
+    const double v72 = T33 * k26;
+    const double v73 = T32 * k25;
+    const double v74 = T31 * k25;
+    const double v75 = T33 * k21;
+
+    /* theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4] */
+    const double v76 = sqrt2 * v54;
+    const double v77 = 4.0 * v57;
+    const double v78 = sqrt2 * v60;
+    const double v79 = sqrt2 * v63;
+    const double v80 = 4.0 * v66;
+    const double v81 = sqrt2 * v69;
+    const double v83 = 4.0 * T13;
+    const double v84 = sqrt2 * v43;
+    const double v85 = 4.0 * T23;
+    const double v86 = sqrt2 * v47;
+    const double wx = T14 - a6 * T11 - d6 * T13;
+    const double wy = T24 - a6 * T21 - d6 * T23;
+    const double wz = T34 - T31 * a6 - T33 * d6;
+    const double v88 = sqrt2 * (k25 * wy);
+    const double v89 = 4.0 * (sqrt3 * wx);
+    const double v90 = sqrt2 * (k1 * wy);
+    const double v91 = sqrt2 * (k25 * wx);
+    const double v92 = 4.0 * (sqrt3 * wy);
+    const double v93 = sqrt2 * (k1 * wx);
+    const double v94 = sqrt2 * (k26 * wz - k28);
+    const double v95 = wz * k30 - k31;
+    const double v97 = 4.0 * wx;
+    const double v98 = sqrt2 * (k21 * wy);
+    const double v99 = 4.0 * wy;
+    const double v100 = sqrt2 * (k21 * wx);
+    const double v101 = sqrt2 * (k1 * wz - k33);
+
+    /* theta4, type 3: U3[2, 3] and U3[1, 3] */
+    const double v105 = sqrt2 * (T23 * k26);
+    const double v106 = sqrt2 * (T13 * k26);
+
+    for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
+        const double x6 = x6_roots[i1];
+        /* theta6 */
+        if (!(x6 <= 4.0)) continue; /* out of reach */
+        const double c6 = cos(x6);
+        const double s6 = sin(x6);
+
+        /* theta2 */
+        const double v25 = k2 * (v1 + (c6 * v23 + s6 * v24));
+        const double v28 = k4 * (v4 + (c6 * v26 + s6 * v27));
+        const double s2 = (k5 * v25 - k3 * v28) * k19;
+        const double c2 = (k7 * v25 - k6 * v28) * k19;
+        const double q2 = atan2(s2, c2);
+
+        /* theta1 */
+        const double X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2));
+        const double X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24));
+        const double v33 = k12 * (c6 * v30 + s6 * v31 + v32);
+        const double v38 = k12 * (c6 * v35 + s6 * v36 + v37);
+        const double v39 = X1_1 * v33 + X2_1 * v38;
+        const double C1 = X2_1 * v33 - X1_1 * v38;
+        const double w1 = sqrt(v39 * v39 + C1 * C1);
+        const int free1 = w1 <= free_limit_squared2;
+        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : -(v39 * factor1);
+        const double q1 = atan2(s1, c1);
+
+        /* theta3 */
+        const double v51 = k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v34 + s6 * v40))) - s2 * (sqrt2 *
+            (c6 * v41 + s6 * v42 - v43))) + s1 * (c2 * (4.0 * (T23 + (c6 * v29 + s6 * v44))) + s2 *
+            (sqrt2 * (c6 * v45 + s6 * v46 - v47))) + sqrt2 * (s2 * (c6 * v48 + s6 * v49 + v50)));
+        const double Y3 = k14 * (sqrt2 * (c2 * (c6 * v70 + s6 * v71 + v72) + (v75 - (c6 * v73 + s6 *
+            v74))) - (c1 * (s2 * (4.0 * (c6 * v55 + s6 * v56 + v57)) - c2 * (sqrt2 * (c6 * v52 + s6
+            * v53 - v54)) + sqrt2 * (c6 * v58 + s6 * v59 + v60)) + s1 * (c2 * (sqrt2 * (c6 * v61 +
+            s6 * v62 - v63)) + s2 * (4.0 * (c6 * v64 + s6 * v65 + v66)) - sqrt2 * (c6 * v67 + s6 *
+            v68 + v69))));
+        const double w3 = sqrt(v51 * v51 + Y3 * Y3);
+        const int free3 = w3 <= free_limit;
+        const double divisor3 = free3 ? 1.0 : w3;
+
+        /* theta5 */
+        const double v82 = c1 * (c2 * v76 + s2 * v77 + v78) - s1 * (c2 * v79 - s2 * v80 + v81) -
+            sqrt2 * (T33 * (k21 + c2 * k26));
+        const double v87 = 2.0 * (c1 * (c2 * v83 + s2 * v84) + s1 * (c2 * v85 - s2 * v86) + sqrt2 *
+            (s2 * v50));
+        const double v96 = c1 * (c2 * v88 + s2 * v89 + v90) - s1 * (c2 * v91 - s2 * v92 + v93) - (c2
+            * v94 + s2 * k29 + v95);
+        const double v102 = 2.0 * (c1 * (c2 * v97 + s2 * v98) + s1 * (c2 * v99 - s2 * v100) + (s2 *
+            v101 - c2 * k32 - k34));
+
+        /* theta4 */
+        const double Z1_4 = k2 * (c1 * (s2 * v83 - c2 * v84 - v105) + s1 * (c2 * v86 + s2 * v85 +
+            v106) - sqrt2 * (T33 * (k25 + k1 * c2)));
+        const double v108 = k12 * Z1_4;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta3 */
+            if (e2 < 0.0 && free3) continue; /* both signs give the same */
+            const double factor3 = e2 / divisor3;
+            const double c3 = free3 ? cos(seed[2]) : v51 * factor3;
+            const double s3 = free3 ? sin(seed[2]) : Y3 * factor3;
+            const double q3 = atan2(s3, c3);
+
+            /* theta5 */
+            const double v103 = k27 * (k2 * (c3 * v96 + s3 * v102)) * k35;
+            const double c5 = a5 * (k2 * (c3 * v82 + s3 * v87)) * k35;
+            const double q5 = atan2(-v103, c5);
+
+            /* theta4 */
+            const double v104 = k12 * (sqrt3 * v103);
+            const double Z2_4 = k2 * (c3 * v87 + s3 * -v82);
+            const double v107 = v104 * Z1_4 + k12 * Z2_4;
+            const double C4 = v108 - v104 * Z2_4;
+            const double w4 = sqrt(v107 * v107 + C4 * C4);
+            const int free4 = w4 <= free_limit_squared;
+            const double factor4 = 1.0 / (free4 ? 1.0 : w4);
+            const double c4 = free4 ? cos(seed[3]) : C4 * factor4;
+            const double s4 = free4 ? sin(seed[3]) : -(v107 * factor4);
+            const double q4 = atan2(s4, c4);
+            const int row = 2 * i1 + i2;
+            q[row][0] = q1;
+            q[row][1] = q2;
+            q[row][2] = q3;
+            q[row][3] = q4;
+            q[row][4] = q5;
+            q[row][5] = x6;
+            status[row] = (free1 || free3 || free4) ? CONCURRENT_345_FREE_JOINT : CONCURRENT_345_OK;
+        }
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int concurrent_345_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    static const double zeros[6] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? CONCURRENT_345_UNREACHABLE : CONCURRENT_345_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -CONCURRENT_345_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] == CONCURRENT_345_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = CONCURRENT_345_OUT_OF_LIMITS;
+        }
+        count += status[row] != CONCURRENT_345_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+{
+    double all[8][6], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -CONCURRENT_345_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    if (concurrent_345_ik(T, q_seed, all, status) < 0)
+        return -CONCURRENT_345_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == CONCURRENT_345_OUT_OF_LIMITS && result < 0)
+            result = -CONCURRENT_345_OUT_OF_LIMITS;
+        if (status[row] != CONCURRENT_345_OK && status[row] != CONCURRENT_345_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void concurrent_345_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)concurrent_345_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+}

@@ -1,0 +1,67 @@
+/* concurrent_345: Arm whose axes 3, 4 and 5 meet
+ *
+ * Inverse kinematics, generated from robots/concurrent_345.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/concurrent_345.yaml. The formulas and where they come from:
+ * concurrent_345.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef CONCURRENT_345_H
+#define CONCURRENT_345_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CONCURRENT_345_DOF = 6, /* joints */
+    CONCURRENT_345_ROWS = 8 /* branches */
+};
+
+/* What a row of concurrent_345_ik holds. */
+enum {
+    /* joint values */
+    CONCURRENT_345_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    CONCURRENT_345_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    CONCURRENT_345_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    CONCURRENT_345_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    CONCURRENT_345_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const concurrent_345_branches[8];
+
+/* The pose T of the joint values q. */
+void concurrent_345_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void concurrent_345_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -CONCURRENT_345_INVALID_POSE. */
+int concurrent_345_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns CONCURRENT_345_OK or CONCURRENT_345_FREE_JOINT, or, with NaN in q,
+ * minus CONCURRENT_345_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* concurrent_345_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void concurrent_345_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

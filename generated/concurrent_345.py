@@ -1,0 +1,942 @@
+"""concurrent_345: Arm whose axes 3, 4 and 5 meet.
+
+Inverse kinematics, generated from robots/concurrent_345.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/concurrent_345.yaml. The formulas and where they come from:
+concurrent_345.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "concurrent_345"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "root1-noflip",
+    "root1-flip",
+    "root2-noflip",
+    "root2-flip",
+    "root3-noflip",
+    "root3-flip",
+    "root4-noflip",
+    "root4-flip",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.3  # joint offset 1 [m]
+a1 = 0.2  # link length 1 [m]
+sqrt2 = 1.4142135623730951  # square root of 2
+sqrt3 = 1.7320508075688772  # square root of 3
+d2 = 0.1  # joint offset 2 [m]
+a2 = 0.35  # link length 2 [m]
+d3 = 0.25  # joint offset 3 [m]
+d5 = 0.2  # joint offset 5 [m]
+a5 = 0.15  # link length 5 [m]
+d6 = 0.1  # joint offset 6 [m]
+a6 = 0.2  # link length 6 [m]
+free_limit_squared2 = 3.422499999999999e-24  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+k1 = 2.732050807568877  # sqrt3 + 1
+k2 = 0.125  # 1 / 8
+k3 = 0.12074072828613354  # d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m]
+k4 = 0.25  # 1 / 4
+k5 = -0.06755556302831987  # (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2]
+k6 = 0.3380740392011739  # a2 * sqrt2 * (sqrt3 + 1) / 4 [m]
+k7 = 0.25284442352070435  # (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2]
+k8 = 1.6  # 8 * a6 [m]
+k9 = 0.4  # d5 + 2 * d6 [m]
+k10 = 3.0553429721660432  # d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m]
+k11 = 0.3  # 2 * a5 [m]
+k12 = 0.5  # 1 / 2
+k13 = 0.34641016151377546  # d5 * sqrt3 [m]
+k14 = 0.0625  # d3^2 [m^2]
+# d1 * (d1 * 4 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3))) + 4 * (a1^2 + (sqrt3 * d3 * d2
+# + (d2^2 + (a2^2 + (d3^2 - (d5 * (d5 + d6) + (a5^2 + (d2^2 + a1^2)))))))) [m^2]
+k15 = 1.1398079724067007
+k16 = 0.06  # 2 * a6 * a5 [m^2]
+k17 = 0.06928203230275509  # a6 * d5 * sqrt3 [m^2]
+# ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 * sqrt2
+# * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6]
+k18 = 0.0028480795858198678
+# 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 - (d1 *
+# d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3]
+k19 = 18.738030414662138
+k20 = 0.7  # 2 * a2 [m]
+k21 = 0.7320508075688772  # sqrt3 - 1
+k22 = 0.1830127018922193  # d3 * (sqrt3 - 1) [m]
+k23 = 0.512435565298214  # 2 * a2 * (sqrt3 - 1) [m]
+k24 = 1.7294228634059947  # sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m]
+k25 = -1.2679491924311228  # sqrt3 - 3
+k26 = 4.732050807568877  # sqrt3 + 3
+k27 = 0.8660254037844386  # sqrt3 / 2
+k28 = 1.4196152422706632  # d1 * (sqrt3 + 3) [m]
+k29 = 1.3856406460551018  # 4 * d5 * sqrt3 [m]
+k30 = 1.035276180410083  # sqrt2 * (sqrt3 - 1)
+k31 = 0.7105828541230249  # d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m]
+k32 = 0.8  # 4 * a1 [m]
+k33 = 0.8196152422706632  # d1 * (sqrt3 + 1) [m]
+k34 = 1.4  # 4 * a2 [m]
+k35 = 7.698003589195011  # 1 / (a5 * sqrt3 / 2) [m^-1]
+f1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
+f2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
+f3 = 0.025881904510252077  # d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m]
+f4 = 0.5  # 1 / 2
+f5 = 0.8660254037844386  # 1 / 2 * sqrt3
+f6 = 0.12940952255126037  # 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+g1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
+g2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
+g3 = 0.025881904510252077  # d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m]
+g4 = 0.5  # 1 / 2
+g5 = 0.8660254037844386  # 1 / 2 * sqrt3
+g6 = 0.12940952255126037  # 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+g7 = 0.22414386804201336  # 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+
+
+@_jit
+def _horner(p0, p1, p2, p3, p4, t):
+    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
+
+
+@_jit
+def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
+    """The root between two points with values of unlike sign."""
+    t = 0.5 * (low + high)
+    for _ in range(100):
+        value = _horner(p0, p1, p2, p3, p4, t)
+        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
+        if (value < 0.0) == (at_low < 0.0):
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope != 0.0 else low
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - t) <= 2e-16 * abs(t):
+            return following
+        t = following
+    return t
+
+
+@_jit
+def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
+    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
+    roots = 0
+    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
+    for k in range(1, count):
+        edge = edges[k]
+        value = _horner(p0, p1, p2, p3, p4, edge)
+        size = 1.0 + edge * edge
+        if k < count - 1 and abs(value) <= tolerance * size * size:
+            value = 0.0
+        if at_before * value < 0.0:
+            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
+            roots += 1
+        elif value == 0.0 and k < count - 1:
+            found[roots] = edge
+            roots += 1
+        before, at_before = edge, value
+    return roots
+
+
+@_jit
+def _circle_roots(a0, a1, b1, a2, b2):
+    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+
+    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+    leading coefficient; its roots lie between those of its derivative, those between the
+    roots of the second derivative.
+    """
+    x = np.full(4, math.nan)
+    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
+    if not (size > 0.0 and math.isfinite(size)):
+        return x
+    best, apart = -1.0, 0.0
+    for k in range(16):
+        at = _TURN * k / 16
+        c, s = math.cos(at), math.sin(at)
+        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
+        if value > best:
+            best, apart = value, at
+    c, s = -math.cos(apart), -math.sin(apart)
+    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
+    c2, s2 = c * c - s * s, 2.0 * c * s
+    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
+    lead = a0 - u1 + u2
+    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
+    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
+    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
+    edges, extrema = np.empty(5), np.empty(4)
+    half = 0.25 * p3
+    square = half * half - p2 / 6.0
+    count = 0
+    edges[0] = -bound
+    if square > 0.0:
+        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
+        count = 2
+    edges[count + 1] = bound
+    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
+    for k in range(count):
+        edges[k + 1] = extrema[k]
+    edges[count + 1] = bound
+    tolerance = 1e-13 * size / abs(lead)
+    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
+    for k in range(count):
+        at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
+        c, s = math.cos(at), math.sin(at)
+        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+        if abs(slope) > 0.0001 * size:
+            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
+        at -= _TURN * math.ceil(at / _TURN - 0.5)
+        place = k
+        while place > 0 and x[place - 1] > at:
+            x[place] = x[place - 1]
+            place -= 1
+        x[place] = at
+    return x
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = s1 * f1
+    y1_y = c1 * f1
+    z1_x = s1 * f2
+    v2 = c1 * f2
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = f2 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = f2 * c2
+    y2_x = z1_x * f4 - v3 * f5
+    y2_y = v4 * f5 - v2 * f4
+    y2_z = v5 * f5 + f6
+    z2_x = v3 * f4 + z1_x * f5
+    v6 = v4 * f4 + v2 * f5
+    z2_z = f7 - v5 * f4
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    y4_x = y2_x * c3 - x2_x * s3
+    y4_y = y2_y * c3 - x2_y * s3
+    y4_z = y2_z * c3 - x2_z * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + z2_x * s4
+    x4_y = x3_y * c4 - v6 * s4
+    x4_z = x3_z * c4 + z2_z * s4
+    z4_x = z2_x * c4 - x3_x * s4
+    v7 = v6 * c4 + x3_y * s4
+    z4_z = z2_z * c4 - x3_z * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = x4_z * c5 + y4_z * s5
+    v8 = y4_x * c5 - x4_x * s5
+    v9 = y4_y * c5 - x4_y * s5
+    v10 = y4_z * c5 - x4_z * s5
+    y5_x = f4 * v8 + f5 * z4_x
+    y5_y = f4 * v9 - f5 * v7
+    y5_z = f4 * v10 + f5 * z4_z
+    T13_ = f4 * z4_x - f5 * v8
+    v11 = f5 * v9 + f4 * v7
+    T33_ = f4 * z4_z - f5 * v10
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 + y5_x * s6
+    T21_ = x5_y * c6 + y5_y * s6
+    T31_ = x5_z * c6 + y5_z * s6
+    T12_ = y5_x * c6 - x5_x * s6
+    T22_ = y5_y * c6 - x5_y * s6
+    T32_ = y5_z * c6 - x5_z * s6
+    T14_ = (
+        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ * a6 + T13_ * d6
+    )
+    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 - v11 * d6
+    T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ * d6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = -v11
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = s1 * g1
+    y1_y = c1 * g1
+    J42 = s1 * g2
+    v2 = c1 * g2
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = g2 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = g2 * c2
+    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_y = p1_y + x2_y * a2 - v2 * d2
+    p2_z = d1 + x2_z * a2 + g3
+    y2_x = J42 * g4 - v3 * g5
+    y2_y = v4 * g5 - v2 * g4
+    y2_z = v5 * g5 + g6
+    J43 = v3 * g4 + J42 * g5
+    v6 = v4 * g4 + v2 * g5
+    J63 = g7 - v5 * g4
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    y4_x = y2_x * c3 - x2_x * s3
+    y4_y = y2_y * c3 - x2_y * s3
+    y4_z = y2_z * c3 - x2_z * s3
+    p3_x = p2_x + J43 * d3
+    p3_y = p2_y - v6 * d3
+    p3_z = p2_z + J63 * d3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + J43 * s4
+    x4_y = x3_y * c4 - v6 * s4
+    x4_z = x3_z * c4 + J63 * s4
+    J45 = J43 * c4 - x3_x * s4
+    v7 = v6 * c4 + x3_y * s4
+    J65 = J63 * c4 - x3_z * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = x4_z * c5 + y4_z * s5
+    v8 = y4_x * c5 - x4_x * s5
+    v9 = y4_y * c5 - x4_y * s5
+    v10 = y4_z * c5 - x4_z * s5
+    p5_x = p3_x + x5_x * a5 + J45 * d5
+    p5_y = p3_y + x5_y * a5 - v7 * d5
+    p5_z = p3_z + x5_z * a5 + J65 * d5
+    J46 = g4 * J45 - g5 * v8
+    v11 = g5 * v9 + g4 * v7
+    J66 = g4 * J65 - g5 * v10
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6
+    p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6
+    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6
+    v12 = J21 - p1_x
+    v13 = p6_y - p1_y
+    v14 = p6_z - d1
+    J22 = g1 * v12 - J42 * v14
+    J32 = J42 * v13 + v2 * v12
+    v15 = J21 - p2_x
+    v16 = p6_y - p2_y
+    v17 = p6_z - p2_z
+    J23 = J63 * v15 - J43 * v17
+    J33 = J43 * v16 + v6 * v15
+    v18 = J21 - p3_x
+    v19 = p6_y - p3_y
+    v20 = p6_z - p3_z
+    J14 = -y4_y * v20 - -y4_z * v19
+    J24 = -y4_z * v18 - -y4_x * v20
+    J34 = -y4_x * v19 - -y4_y * v18
+    J25 = J65 * v18 - J45 * v20
+    J35 = J45 * v19 + v7 * v18
+    v21 = J21 - p5_x
+    v22 = p6_y - p5_y
+    v23 = p6_z - p5_z
+    J26 = J66 * v21 - J46 * v23
+    J36 = J46 * v22 + v11 * v21
+    J[0, 0] = -p6_y
+    J[0, 1] = -(v2 * v14 + g1 * v13)
+    J[0, 2] = -(v6 * v17 + J63 * v16)
+    J[0, 3] = J14
+    J[0, 4] = -(v7 * v20 + J65 * v19)
+    J[0, 5] = -(v11 * v23 + J66 * v22)
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 1] = J42
+    J[3, 2] = J43
+    J[3, 3] = -y4_x
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 1] = -v2
+    J[4, 2] = -v6
+    J[4, 3] = -y4_y
+    J[4, 4] = -v7
+    J[4, 5] = -v11
+    J[5, 0] = 1.0
+    J[5, 1] = g1
+    J[5, 2] = J63
+    J[5, 3] = -y4_z
+    J[5, 4] = J65
+    J[5, 5] = J66
+    return J
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1
+    v1 = T31 * k8 + (T33 * k8 + (k10 - 8.0 * T34))
+    R1_6 = k2 * v1
+    v2 = T31 * k11 + d5 * (sqrt3 * T32)
+    R1c6 = v2 * k12
+    v3 = T31 * k13 - 2.0 * (T32 * a5)
+    R1s6 = k12 * v3
+    v4 = (
+        T11 * (8.0 * (a6 * T14)) + (T13 * (4.0 * (k9 * T14)) + (T21 * (8.0 * (a6 * T24)) + (T23 *
+        (4.0 * (k9 * T24)) + (T31 * (8.0 * (T34 * a6)) + (T33 * (4.0 * (T34 * k9)) + (k15 - T34 *
+        (4.0 * T34))) - T24 * (4.0 * T24))) - T14 * (4.0 * T14)))
+    )
+    R2_6 = k4 * v4
+    v5 = 2.0 * (a5 * T14)
+    v6 = d5 * (sqrt3 * T14)
+    v7 = 2.0 * (a5 * T24)
+    v8 = d5 * (sqrt3 * T24)
+    v9 = 2.0 * (T34 * a5)
+    v10 = d5 * (sqrt3 * T34)
+    R2c6 = T11 * v5 + (T12 * v6 + (T21 * v7 + (T22 * v8 + (T31 * v9 + (T32 * v10 - k16)))))
+    R2s6 = T11 * v6 - (T12 * v5 + (T22 * v7 + (T32 * v9 + k17 - T31 * v10) - T21 * v8))
+    v11 = k6 * R2_6 - k7 * R1_6
+    v12 = k6 * R2c6 - k7 * R1c6
+    v13 = k6 * R2s6 - k7 * R1s6
+    v14 = k3 * R2_6 - k5 * R1_6
+    v15 = k3 * R2c6 - k5 * R1c6
+    v16 = k3 * R2s6 - k5 * R1s6
+    v17 = v12 * v12
+    v18 = v13 * v13
+    v19 = 2.0 * v11
+    v20 = v15 * v15
+    v21 = v16 * v16
+    v22 = 2.0 * v14
+    x6_roots = _circle_roots(v11 * v11 + k12 * (v17 + v18) + (v14 * v14 + k12 * (v20 + v21)) - k18,
+        v12 * v19 + v15 * v22, v13 * v19 + v16 * v22, k12 * (v17 - v18) + k12 * (v20 - v21), v12 *
+        v13 + v15 * v16)
+
+    # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1
+    v23 = 4.0 * v2
+    v24 = 4.0 * v3
+    v26 = 4.0 * R2c6
+    v27 = 4.0 * R2s6
+
+    # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
+    v29 = sqrt3 * T22
+    v30 = k11 * T21 + d5 * v29
+    v31 = k13 * T21 - 2.0 * (a5 * T22)
+    v32 = k9 * T21 + (k9 * T23 - 2.0 * T24)
+    v34 = sqrt3 * T12
+    v35 = k11 * T11 + d5 * v34
+    v36 = k13 * T11 - 2.0 * (a5 * T12)
+    v37 = k9 * T11 + (k9 * T13 - 2.0 * T14)
+
+    # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
+    v40 = sqrt3 * T11
+    v41 = T22 * k25
+    v42 = T21 * k25
+    v43 = T23 * k21
+    v44 = sqrt3 * T21
+    v45 = T12 * k25
+    v46 = T11 * k25
+    v47 = T13 * k21
+    v48 = T32 * k26
+    v49 = T31 * k26
+    v50 = k1 * T33
+    v52 = 3.0 * (T22 * k21)
+    v53 = 3.0 * (T21 * k21)
+    v54 = T23 * k25
+    v55 = 3.0 * T12
+    v56 = 3.0 * T11
+    v57 = sqrt3 * T13
+    v58 = T22 * k26
+    v59 = T21 * k26
+    v60 = k1 * T23
+    v61 = 3.0 * (T12 * k21)
+    v62 = 3.0 * (T11 * k21)
+    v63 = T13 * k25
+    v64 = 3.0 * T22
+    v65 = 3.0 * T21
+    v66 = sqrt3 * T23
+    v67 = T12 * k26
+    v68 = T11 * k26
+    v69 = k1 * T13
+    v70 = 3.0 * (k1 * T32)
+    v71 = 3.0 * (k1 * T31)
+    v72 = T33 * k26
+    v73 = T32 * k25
+    v74 = T31 * k25
+    v75 = T33 * k21
+
+    # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
+    v76 = sqrt2 * v54
+    v77 = 4.0 * v57
+    v78 = sqrt2 * v60
+    v79 = sqrt2 * v63
+    v80 = 4.0 * v66
+    v81 = sqrt2 * v69
+    v83 = 4.0 * T13
+    v84 = sqrt2 * v43
+    v85 = 4.0 * T23
+    v86 = sqrt2 * v47
+    wx = T14 - a6 * T11 - d6 * T13
+    wy = T24 - a6 * T21 - d6 * T23
+    wz = T34 - T31 * a6 - T33 * d6
+    v88 = sqrt2 * (k25 * wy)
+    v89 = 4.0 * (sqrt3 * wx)
+    v90 = sqrt2 * (k1 * wy)
+    v91 = sqrt2 * (k25 * wx)
+    v92 = 4.0 * (sqrt3 * wy)
+    v93 = sqrt2 * (k1 * wx)
+    v94 = sqrt2 * (k26 * wz - k28)
+    v95 = wz * k30 - k31
+    v97 = 4.0 * wx
+    v98 = sqrt2 * (k21 * wy)
+    v99 = 4.0 * wy
+    v100 = sqrt2 * (k21 * wx)
+    v101 = sqrt2 * (k1 * wz - k33)
+
+    # theta4, type 3: U3[2, 3] and U3[1, 3]
+    v105 = sqrt2 * (T23 * k26)
+    v106 = sqrt2 * (T13 * k26)
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x6 = x6_roots[i1]
+        # theta6
+        if not (x6 <= 4.0):
+            continue  # out of reach
+        c6 = math.cos(x6)
+        s6 = math.sin(x6)
+
+        # theta2
+        v25 = k2 * (v1 + (c6 * v23 + s6 * v24))
+        v28 = k4 * (v4 + (c6 * v26 + s6 * v27))
+        s2 = (k5 * v25 - k3 * v28) * k19
+        c2 = (k7 * v25 - k6 * v28) * k19
+        q2 = _atan2(s2, c2)
+
+        # theta1
+        X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2))
+        X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24))
+        v33 = k12 * (c6 * v30 + s6 * v31 + v32)
+        v38 = k12 * (c6 * v35 + s6 * v36 + v37)
+        v39 = X1_1 * v33 + X2_1 * v38
+        C1 = X2_1 * v33 - X1_1 * v38
+        w1 = math.sqrt(v39 * v39 + C1 * C1)
+        free1 = w1 <= free_limit_squared2
+        factor1 = 1.0 / (1.0 if free1 else w1)
+        c1 = math.cos(seed[0]) if free1 else C1 * factor1
+        s1 = math.sin(seed[0]) if free1 else -(v39 * factor1)
+        q1 = _atan2(s1, c1)
+
+        # theta3
+        v51 = (
+            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v34 + s6 * v40))) - s2 * (sqrt2 * (c6 * v41 + s6 *
+            v42 - v43))) + s1 * (c2 * (4.0 * (T23 + (c6 * v29 + s6 * v44))) + s2 * (sqrt2 * (c6 *
+            v45 + s6 * v46 - v47))) + sqrt2 * (s2 * (c6 * v48 + s6 * v49 + v50)))
+        )
+        Y3 = (
+            k14 * (sqrt2 * (c2 * (c6 * v70 + s6 * v71 + v72) + (v75 - (c6 * v73 + s6 * v74))) - (c1
+            * (s2 * (4.0 * (c6 * v55 + s6 * v56 + v57)) - c2 * (sqrt2 * (c6 * v52 + s6 * v53 - v54))
+            + sqrt2 * (c6 * v58 + s6 * v59 + v60)) + s1 * (c2 * (sqrt2 * (c6 * v61 + s6 * v62 -
+            v63)) + s2 * (4.0 * (c6 * v64 + s6 * v65 + v66)) - sqrt2 * (c6 * v67 + s6 * v68 +
+            v69))))
+        )
+        w3 = math.sqrt(v51 * v51 + Y3 * Y3)
+        free3 = w3 <= free_limit
+        divisor3 = 1.0 if free3 else w3
+
+        # theta5
+        v82 = (
+            c1 * (c2 * v76 + s2 * v77 + v78) - s1 * (c2 * v79 - s2 * v80 + v81) - sqrt2 * (T33 *
+            (k21 + c2 * k26))
+        )
+        v87 = 2.0 * (c1 * (c2 * v83 + s2 * v84) + s1 * (c2 * v85 - s2 * v86) + sqrt2 * (s2 * v50))
+        v96 = (
+            c1 * (c2 * v88 + s2 * v89 + v90) - s1 * (c2 * v91 - s2 * v92 + v93) - (c2 * v94 + s2 *
+            k29 + v95)
+        )
+        v102 = (
+            2.0 * (c1 * (c2 * v97 + s2 * v98) + s1 * (c2 * v99 - s2 * v100) + (s2 * v101 - c2 * k32
+            - k34))
+        )
+
+        # theta4
+        Z1_4 = (
+            k2 * (c1 * (s2 * v83 - c2 * v84 - v105) + s1 * (c2 * v86 + s2 * v85 + v106) - sqrt2 *
+            (T33 * (k25 + k1 * c2)))
+        )
+        v108 = k12 * Z1_4
+
+        for i2 in range(2):  # noflip, flip
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and free3:
+                continue  # both signs give the same
+            factor3 = e2 / divisor3
+            c3 = math.cos(seed[2]) if free3 else v51 * factor3
+            s3 = math.sin(seed[2]) if free3 else Y3 * factor3
+            q3 = _atan2(s3, c3)
+
+            # theta5
+            v103 = k27 * (k2 * (c3 * v96 + s3 * v102)) * k35
+            c5 = a5 * (k2 * (c3 * v82 + s3 * v87)) * k35
+            q5 = _atan2(-v103, c5)
+
+            # theta4
+            v104 = k12 * (sqrt3 * v103)
+            Z2_4 = k2 * (c3 * v87 + s3 * -v82)
+            v107 = v104 * Z1_4 + k12 * Z2_4
+            C4 = v108 - v104 * Z2_4
+            w4 = math.sqrt(v107 * v107 + C4 * C4)
+            free4 = w4 <= free_limit_squared
+            factor4 = 1.0 / (1.0 if free4 else w4)
+            c4 = math.cos(seed[3]) if free4 else C4 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v107 * factor4)
+            q4 = _atan2(s4, c4)
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = x6
+            status[row] = FREE_JOINT if free1 or free3 or free4 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (6,):
+        raise ValueError("q_seed must be (6,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(6):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(6):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 8) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

@@ -1,0 +1,67 @@
+/* cylindrical: Cylindrical arm, vertical slide first
+ *
+ * Inverse kinematics, generated from robots/cylindrical.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/cylindrical.yaml. The formulas and where they come from:
+ * cylindrical.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef CYLINDRICAL_H
+#define CYLINDRICAL_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CYLINDRICAL_DOF = 3, /* joints */
+    CYLINDRICAL_ROWS = 1 /* branches */
+};
+
+/* What a row of cylindrical_ik holds. */
+enum {
+    /* joint values */
+    CYLINDRICAL_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    CYLINDRICAL_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    CYLINDRICAL_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    CYLINDRICAL_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    CYLINDRICAL_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const cylindrical_branches[1];
+
+/* The pose T of the joint values q. */
+void cylindrical_fk(const double q[3], double T[16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void cylindrical_jacobian(const double q[3], double J[18]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -CYLINDRICAL_INVALID_POSE. */
+int cylindrical_ik(
+    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns CYLINDRICAL_OK or CYLINDRICAL_FREE_JOINT, or, with NaN in q,
+ * minus CYLINDRICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* cylindrical_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 1 x 3, status n x 1. */
+void cylindrical_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

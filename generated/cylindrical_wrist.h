@@ -1,0 +1,67 @@
+/* cylindrical_wrist: Cylindrical arm with a spherical wrist
+ *
+ * Inverse kinematics, generated from robots/cylindrical_wrist.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/cylindrical_wrist.yaml. The formulas and where they come from:
+ * cylindrical_wrist.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef CYLINDRICAL_WRIST_H
+#define CYLINDRICAL_WRIST_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    CYLINDRICAL_WRIST_DOF = 6, /* joints */
+    CYLINDRICAL_WRIST_ROWS = 4 /* branches */
+};
+
+/* What a row of cylindrical_wrist_ik holds. */
+enum {
+    /* joint values */
+    CYLINDRICAL_WRIST_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    CYLINDRICAL_WRIST_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    CYLINDRICAL_WRIST_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    CYLINDRICAL_WRIST_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    CYLINDRICAL_WRIST_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const cylindrical_wrist_branches[4];
+
+/* The pose T of the joint values q. */
+void cylindrical_wrist_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void cylindrical_wrist_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -CYLINDRICAL_WRIST_INVALID_POSE. */
+int cylindrical_wrist_ik(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns CYLINDRICAL_WRIST_OK or CYLINDRICAL_WRIST_FREE_JOINT, or, with NaN in q,
+ * minus CYLINDRICAL_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* cylindrical_wrist_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 6, status n x 4. */
+void cylindrical_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

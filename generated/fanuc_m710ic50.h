@@ -1,0 +1,67 @@
+/* fanuc_m710ic50: Fanuc M-710iC/50
+ *
+ * Inverse kinematics, generated from robots/fanuc_m710ic50.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/fanuc_m710ic50.yaml. The formulas and where they come from:
+ * fanuc_m710ic50.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef FANUC_M710IC50_H
+#define FANUC_M710IC50_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    FANUC_M710IC50_DOF = 6, /* joints */
+    FANUC_M710IC50_ROWS = 8 /* branches */
+};
+
+/* What a row of fanuc_m710ic50_ik holds. */
+enum {
+    /* joint values */
+    FANUC_M710IC50_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    FANUC_M710IC50_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    FANUC_M710IC50_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    FANUC_M710IC50_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    FANUC_M710IC50_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const fanuc_m710ic50_branches[8];
+
+/* The pose T of the joint values q. */
+void fanuc_m710ic50_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void fanuc_m710ic50_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -FANUC_M710IC50_INVALID_POSE. */
+int fanuc_m710ic50_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns FANUC_M710IC50_OK or FANUC_M710IC50_FREE_JOINT, or, with NaN in q,
+ * minus FANUC_M710IC50_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* fanuc_m710ic50_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void fanuc_m710ic50_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* katana_400: Neuronics Katana 400
+ *
+ * Inverse kinematics, generated from robots/katana_400.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/katana_400.yaml. The formulas and where they come from:
+ * katana_400.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KATANA_400_H
+#define KATANA_400_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    KATANA_400_DOF = 5, /* joints */
+    KATANA_400_ROWS = 4 /* branches */
+};
+
+/* What a row of katana_400_ik holds. */
+enum {
+    /* joint values */
+    KATANA_400_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KATANA_400_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KATANA_400_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KATANA_400_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    KATANA_400_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const katana_400_branches[4];
+
+/* The pose T of the joint values q. */
+void katana_400_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void katana_400_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KATANA_400_INVALID_POSE. */
+int katana_400_ik(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KATANA_400_OK or KATANA_400_FREE_JOINT, or, with NaN in q,
+ * minus KATANA_400_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+
+/* katana_400_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 5, status n x 4. */
+void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* kawasaki_rs007n: Kawasaki RS007N
+ *
+ * Inverse kinematics, generated from robots/kawasaki_rs007n.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kawasaki_rs007n.yaml. The formulas and where they come from:
+ * kawasaki_rs007n.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KAWASAKI_RS007N_H
+#define KAWASAKI_RS007N_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    KAWASAKI_RS007N_DOF = 6, /* joints */
+    KAWASAKI_RS007N_ROWS = 8 /* branches */
+};
+
+/* What a row of kawasaki_rs007n_ik holds. */
+enum {
+    /* joint values */
+    KAWASAKI_RS007N_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KAWASAKI_RS007N_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KAWASAKI_RS007N_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KAWASAKI_RS007N_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    KAWASAKI_RS007N_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kawasaki_rs007n_branches[8];
+
+/* The pose T of the joint values q. */
+void kawasaki_rs007n_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kawasaki_rs007n_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KAWASAKI_RS007N_INVALID_POSE. */
+int kawasaki_rs007n_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KAWASAKI_RS007N_OK or KAWASAKI_RS007N_FREE_JOINT, or, with NaN in q,
+ * minus KAWASAKI_RS007N_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* kawasaki_rs007n_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void kawasaki_rs007n_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

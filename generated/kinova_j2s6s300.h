@@ -1,0 +1,67 @@
+/* kinova_j2s6s300: Kinova Jaco j2s6s300, spherical wrist
+ *
+ * Inverse kinematics, generated from robots/kinova_j2s6s300.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kinova_j2s6s300.yaml. The formulas and where they come from:
+ * kinova_j2s6s300.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KINOVA_J2S6S300_H
+#define KINOVA_J2S6S300_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    KINOVA_J2S6S300_DOF = 6, /* joints */
+    KINOVA_J2S6S300_ROWS = 8 /* branches */
+};
+
+/* What a row of kinova_j2s6s300_ik holds. */
+enum {
+    /* joint values */
+    KINOVA_J2S6S300_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KINOVA_J2S6S300_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KINOVA_J2S6S300_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KINOVA_J2S6S300_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    KINOVA_J2S6S300_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kinova_j2s6s300_branches[8];
+
+/* The pose T of the joint values q. */
+void kinova_j2s6s300_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kinova_j2s6s300_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KINOVA_J2S6S300_INVALID_POSE. */
+int kinova_j2s6s300_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KINOVA_J2S6S300_OK or KINOVA_J2S6S300_FREE_JOINT, or, with NaN in q,
+ * minus KINOVA_J2S6S300_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* kinova_j2s6s300_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void kinova_j2s6s300_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* kuka_kr40pa: KUKA KR 40 PA palletizer, serial equivalent
+ *
+ * Inverse kinematics, generated from robots/kuka_kr40pa.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kuka_kr40pa.yaml. The formulas and where they come from:
+ * kuka_kr40pa.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KUKA_KR40PA_H
+#define KUKA_KR40PA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    KUKA_KR40PA_DOF = 4, /* joints */
+    KUKA_KR40PA_ROWS = 2 /* branches */
+};
+
+/* What a row of kuka_kr40pa_ik holds. */
+enum {
+    /* joint values */
+    KUKA_KR40PA_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KUKA_KR40PA_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KUKA_KR40PA_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KUKA_KR40PA_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    KUKA_KR40PA_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kuka_kr40pa_branches[2];
+
+/* The pose T of the joint values q. */
+void kuka_kr40pa_fk(const double q[4], double T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kuka_kr40pa_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KUKA_KR40PA_INVALID_POSE. */
+int kuka_kr40pa_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KUKA_KR40PA_OK or KUKA_KR40PA_FREE_JOINT, or, with NaN in q,
+ * minus KUKA_KR40PA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* kuka_kr40pa_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void kuka_kr40pa_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,65 @@
+/* puma_arm: PUMA 560 to its wrist centre
+ *
+ * Inverse kinematics, generated from robots/puma_arm.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/puma_arm.yaml. The formulas and where they come from: puma_arm.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, the position T[0:3, 3] counts; other entries are ignored.
+ */
+#ifndef PUMA_ARM_H
+#define PUMA_ARM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    PUMA_ARM_DOF = 3, /* joints */
+    PUMA_ARM_ROWS = 4 /* branches */
+};
+
+/* What a row of puma_arm_ik holds. */
+enum {
+    /* joint values */
+    PUMA_ARM_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PUMA_ARM_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PUMA_ARM_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PUMA_ARM_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PUMA_ARM_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const puma_arm_branches[4];
+
+/* The pose T of the joint values q. */
+void puma_arm_fk(const double q[3], double T[16]);
+
+/* The geometric Jacobian, 6 x 3 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void puma_arm_jacobian(const double q[3], double J[18]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PUMA_ARM_INVALID_POSE. */
+int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PUMA_ARM_OK or PUMA_ARM_FREE_JOINT, or, with NaN in q,
+ * minus PUMA_ARM_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
+
+/* puma_arm_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 3, status n x 4. */
+void puma_arm_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,457 @@
+"""puma_arm: PUMA 560 to its wrist centre.
+
+Inverse kinematics, generated from robots/puma_arm.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/puma_arm.yaml. The formulas and where they come from: puma_arm.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, the
+position T[0:3, 3] counts; other entries are ignored.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "puma_arm"
+DOF = 3
+JOINT_TYPES = "RRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left-down",
+    "left-up",
+    "right-down",
+    "right-up",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.67183  # joint offset 1 [m]
+a2 = 0.4318  # link length 2 [m]
+d3 = 0.15005  # joint offset 3 [m]
+a3 = 0.0203  # link length 3 [m]
+d4 = 0.4318  # z of the tool frame [m]
+free_limit_squared2 = 2.9096854084e-24  # square of a length that fixes no angle [m^2]
+longest3 = 0.7466289125534531  # square of the longest reach [m^2]
+shortest3 = 2.274465470660925e-07  # square of the shortest reach [m^2]
+longest3_reach = 0.7466289125537477  # the longest, with what rounding adds [m^2]
+shortest3_reach = 2.2744654690339056e-07  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.7466289125534236  # the longest, where branches merge [m^2]
+shortest3_apart = 2.2744654708236271e-07  # the shortest, where branches merge [m^2]
+k1 = 0.022515002499999996  # d3^2 [m^2]
+k2 = 5.11904578000291e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
+k3 = 5.1190457800002905e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
+k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
+k5 = 0.01753108  # 2 * a3 * a2 [m^2]
+k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
+k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (3,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    T11_ = x2_x * c3 - v1 * s3
+    T21_ = x2_y * c3 - v2 * s3
+    T31_ = s2 * c3 + c2 * s3
+    v3 = v1 * c3 + x2_x * s3
+    v4 = v2 * c3 + x2_y * s3
+    T33_ = c2 * c3 - s2 * s3
+    T14_ = x2_x * a2 + T11_ * a3 + s1 * d3 - v3 * d4
+    T24_ = x2_y * a2 + T21_ * a3 - c1 * d3 - v4 * d4
+    T34_ = d1 + s2 * a2 + T31_ * a3 + T33_ * d4
+    T[0, 0] = T11_
+    T[0, 1] = -s1
+    T[0, 2] = -v3
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = c1
+    T[1, 2] = -v4
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 3 joint values")
+    J = np.zeros((6, 3))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v1 = c1 * s2
+    v2 = s1 * s2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 + s2 * a2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    J21 = p2_x + (x2_x * c3 - v1 * s3) * a3 + s1 * d3 - (v1 * c3 + x2_x * s3) * d4
+    v3 = p2_y + (x2_y * c3 - v2 * s3) * a3 - c1 * d3 - (v2 * c3 + x2_y * s3) * d4
+    v4 = p2_z + (s2 * c3 + c2 * s3) * a3 + (c2 * c3 - s2 * s3) * d4
+    v5 = v4 - d1
+    J32 = s1 * v3 + c1 * J21
+    v6 = v4 - p2_z
+    J33 = s1 * (v3 - p2_y) + c1 * (J21 - p2_x)
+    J[0, 0] = -v3
+    J[0, 1] = -(c1 * v5)
+    J[0, 2] = -(c1 * v6)
+    J[1, 0] = J21
+    J[1, 1] = -(s1 * v5)
+    J[1, 2] = -(s1 * v6)
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[3, 1] = s1
+    J[3, 2] = s1
+    J[4, 1] = -c1
+    J[4, 2] = -c1
+    J[5, 0] = 1.0
+    return J
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    apart1 = k3 < D1
+    if not (-k2 <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = T14 * d3
+    v2 = T24 * d3
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    v3 = Z1_3 * Z1_3
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (T14 * root1 - v2)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 + T24 * root1)
+        q1 = _atan2(s1, c1)
+
+        # theta3
+        N3 = v3 + root1 * root1
+        K3 = N3 - k6
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        v4 = k4 * K3
+        v5 = k5 * K3
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            root3 = w3 * e2
+            s3 = (k5 * root3 - v4) * k7
+            c3 = k7 * (v5 + k4 * root3)
+            q3 = _atan2(s3, c3)
+
+            # theta2, type 3: U1[2, 4] and U1[1, 4]
+            X1_2 = a2 + (a3 * c3 - d4 * s3)
+            Y1_2 = d4 * c3 + a3 * s3
+            S2 = Z1_3 * X1_2 - root1 * Y1_2
+            C2 = root1 * X1_2 + Z1_3 * Y1_2
+            w2 = math.sqrt(S2 * S2 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            q2 = _atan2(s2, c2)
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            status[row] = FREE_JOINT if free1 or free2 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Only the entries that count are looked at.
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(4):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(3):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(4):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(3):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (4, 3), NaN where there is no solution; float64.
+        status: Filled with what each row holds (4,); uint8.
+        q_seed: Values for joints that are indeterminate (3,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (3,):
+        raise ValueError("q_seed must be (3,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (4, 3) and status (4,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (3,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((4, 3)), np.empty(4, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(3):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(3):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (3,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (3,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 4) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite")
+    rows, status, q = rows[first:last], status[first:last], np.empty(3)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 4, 3) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

@@ -1,0 +1,66 @@
+/* rail_5dof: Arm with four revolute joints on a rail
+ *
+ * Inverse kinematics, generated from robots/rail_5dof.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/rail_5dof.yaml. The formulas and where they come from:
+ * rail_5dof.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef RAIL_5DOF_H
+#define RAIL_5DOF_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    RAIL_5DOF_DOF = 5, /* joints */
+    RAIL_5DOF_ROWS = 2 /* branches */
+};
+
+/* What a row of rail_5dof_ik holds. */
+enum {
+    /* joint values */
+    RAIL_5DOF_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    RAIL_5DOF_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    RAIL_5DOF_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    RAIL_5DOF_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    RAIL_5DOF_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const rail_5dof_branches[2];
+
+/* The pose T of the joint values q. */
+void rail_5dof_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void rail_5dof_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -RAIL_5DOF_INVALID_POSE. */
+int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns RAIL_5DOF_OK or RAIL_5DOF_FREE_JOINT, or, with NaN in q,
+ * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+
+/* rail_5dof_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 5, status n x 2. */
+void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

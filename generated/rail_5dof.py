@@ -1,0 +1,523 @@
+"""rail_5dof: Arm with four revolute joints on a rail.
+
+Inverse kinematics, generated from robots/rail_5dof.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/rail_5dof.yaml. The formulas and where they come from: rail_5dof.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "rail_5dof"
+DOF = 5
+JOINT_TYPES = "PRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "noflip",
+    "flip",
+)
+MAX_SOLUTIONS = 2
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a1 = 2.0  # link length 2 [m]
+d3 = 1.0  # joint offset 3 [m]
+d5 = 3.0  # joint offset 5 [m]
+free_limit_squared2 = 3.6e-23  # square of a length that fixes no angle [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 6.000000000000001e-05  # a pose may be rounded by this [m]
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([0.027777777777777776, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (5,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    T = np.zeros((4, 4))
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = c2 * c3
+    x3_y = s2 * c3
+    z4_x = c2 * s3
+    z4_y = s2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + s2 * s4
+    x4_y = x3_y * c4 - c2 * s4
+    x4_z = s3 * c4
+    T13_ = s2 * c4 - x3_x * s4
+    v1 = c2 * c4 + x3_y * s4
+    v2 = s3 * s4
+    T14_ = a1 + s2 * d3 + T13_ * d5
+    T34_ = q[0] - v2 * d5
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    T11_ = x4_x * c5 - z4_x * s5
+    T21_ = x4_y * c5 - z4_y * s5
+    T31_ = x4_z * c5 + c3 * s5
+    T32_ = c3 * c5 - x4_z * s5
+    T[0, 0] = T11_
+    T[0, 1] = -(z4_x * c5 + x4_x * s5)
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(z4_y * c5 + x4_y * s5)
+    T[1, 2] = -v1
+    T[1, 3] = -(c2 * d3 + v1 * d5)
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = -v2
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    J = np.zeros((6, 5))
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    p3_x = a1 + s2 * d3
+    v1 = c2 * d3
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    J44 = c2 * s3
+    J54 = s2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    J45 = s2 * c4 - c2 * c3 * s4
+    v2 = c2 * c4 + s2 * c3 * s4
+    v3 = s3 * s4
+    p5_x = p3_x + J45 * d5
+    J12 = v1 + v2 * d5
+    J22 = p5_x - a1
+    v4 = q[0] - v3 * d5 - q[0]
+    v5 = p5_x - p3_x
+    v6 = v1 - J12
+    J33 = s2 * v6 + c2 * v5
+    J14 = J54 * v4 + c3 * v6
+    J34 = J44 * v6 - J54 * v5
+    J[0, 1] = J12
+    J[0, 2] = -(c2 * v4)
+    J[0, 3] = J14
+    J[1, 1] = J22
+    J[1, 2] = -(s2 * v4)
+    J[1, 3] = -(c3 * v5 + J44 * v4)
+    J[2, 0] = 1.0
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[3, 2] = s2
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[4, 2] = -c2
+    J[4, 3] = J54
+    J[4, 4] = -v2
+    J[5, 1] = 1.0
+    J[5, 3] = -c3
+    J[5, 4] = -v3
+    return J
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r1, type 1: U0 A5^-1 [3, 4]
+    wz = T34 - T33 * d5
+
+    # theta2, type 3: U0 A5^-1 [1, 4] and U0 A5^-1 [2, 4]
+    wx = T14 - d5 * T13
+    wy = T24 - d5 * T23
+    v1 = d3 * (wx - a1)
+    C2 = d3 * wy
+    w2 = math.sqrt(v1 * v1 + C2 * C2)
+    free2 = w2 <= free_limit_squared2
+    v2 = 1.0 / (1.0 if free2 else w2)
+    c2 = math.cos(seed[1]) if free2 else -(C2 * v2)
+    s2 = math.sin(seed[1]) if free2 else v1 * v2
+    q2 = _atan2(s2, c2)
+
+    # theta3, type 2: U3[2, 3]
+    X3 = T13 * c2 + T23 * s2
+    w3 = math.sqrt(X3 * X3 + T33 * T33)
+    free3 = w3 <= free_limit
+    divisor3 = 1.0 if free3 else w3
+
+    # theta4, type 3: U3[3, 3] and U3[1, 3]
+    Z1_4 = T23 * c2 - T13 * s2
+    v3 = Z1_4 * Z1_4
+
+    # theta5, type 3: U3[2, 2] and U3[2, 1]
+    v5 = T12 * c2 + T22 * s2
+    v6 = T11 * c2 + T21 * s2
+
+    # is the pose one that the arm can take?
+    v11 = d5 * s2
+    v12 = a1 + d3 * s2
+    v16 = d5 * c2
+    v17 = d3 * c2
+
+    for i1 in range(2):  # noflip, flip
+        e1 = 1.0 - 2.0 * i1
+        # theta3
+        if e1 < 0.0 and free3:
+            continue  # both signs give the same
+        factor3 = e1 / divisor3
+        c3 = math.cos(seed[2]) if free3 else -(X3 * factor3)
+        s3 = math.sin(seed[2]) if free3 else -(T33 * factor3)
+        q3 = _atan2(s3, c3)
+        root3 = w3 * e1
+
+        # theta4
+        w4 = math.sqrt(root3 * root3 + v3)
+        free4 = w4 <= free_limit_squared
+        v4 = 1.0 / (1.0 if free4 else w4)
+        c4 = math.cos(seed[3]) if free4 else -(Z1_4 * v4)
+        s4 = math.sin(seed[3]) if free4 else root3 * v4
+        q4 = _atan2(s4, c4)
+
+        # theta5
+        C5 = s3 * v5 - T32 * c3
+        S5 = s3 * v6 - T31 * c3
+        w5 = math.sqrt(S5 * S5 + C5 * C5)
+        free5 = w5 <= free_limit_squared
+        v7 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(C5 * v7)
+        s5 = math.sin(seed[4]) if free5 else -(S5 * v7)
+        q5 = _atan2(s5, c5)
+
+        # is the pose one that the arm can take?
+        v8 = c2 * c3
+        v9 = c4 * v8 + s2 * s4
+        v10 = c2 * s3
+        v13 = s2 * c3
+        v14 = c2 * s4 - c4 * v13
+        v15 = s2 * s3
+        v18 = s3 * c4
+        if (
+            not (abs(T34 + (s4 * (d5 * s3) + -wz)) <= pose_slack1 and (abs(T33 + s3 * s4) <=
+            pose_slack and (abs(T32 - (c3 * c5 - s5 * v18)) <= pose_slack and (abs(T31 - (c5 * v18 +
+            c3 * s5)) <= pose_slack and (abs(T24 + (c4 * v16 + s4 * (d5 * v13) + v17)) <=
+            pose_slack1 and (abs(T23 + (c2 * c4 + s4 * v13)) <= pose_slack and (abs(T22 - (s5 * v14
+            - c5 * v15)) <= pose_slack and (abs(T21 + (c5 * v14 + s5 * v15)) <= pose_slack and
+            (abs(T14 - (v12 - (s4 * (d5 * v8) - c4 * v11))) <= pose_slack1 and (abs(T13 - (s2 * c4 -
+            s4 * v8)) <= pose_slack and (abs(T11 - (c5 * v9 - s5 * v10)) <= pose_slack and abs(T12 +
+            (c5 * v10 + s5 * v9)) <= pose_slack)))))))))))
+        ):
+            continue  # the arm can't take this pose
+        row = i1
+        q[row, 0] = wz
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        q[row, 4] = q5
+        status[row] = FREE_JOINT if free2 or free3 or free4 or free5 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    if not _REVOLUTE[joint]:
+        return given
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(2):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(5):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(2):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(5):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (2, 5), NaN where there is no solution; float64.
+        status: Filled with what each row holds (2,); uint8.
+        q_seed: Values for joints that are indeterminate (5,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (2, 5) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 5) and (2,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (5,):
+        raise ValueError("q_seed must be (5,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (2, 5) and status (2,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (5,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((2, 5)), np.empty(2, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (5,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(5):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(5):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (5,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (5,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 2) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 2, 5) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 2, 5)), np.empty((len(T), 2), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

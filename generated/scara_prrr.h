@@ -1,0 +1,67 @@
+/* scara_prrr: SCARA arm on a vertical slide
+ *
+ * Inverse kinematics, generated from robots/scara_prrr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scara_prrr.yaml. The formulas and where they come from:
+ * scara_prrr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef SCARA_PRRR_H
+#define SCARA_PRRR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    SCARA_PRRR_DOF = 4, /* joints */
+    SCARA_PRRR_ROWS = 2 /* branches */
+};
+
+/* What a row of scara_prrr_ik holds. */
+enum {
+    /* joint values */
+    SCARA_PRRR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCARA_PRRR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCARA_PRRR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCARA_PRRR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SCARA_PRRR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const scara_prrr_branches[2];
+
+/* The pose T of the joint values q. */
+void scara_prrr_fk(const double q[4], double T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void scara_prrr_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCARA_PRRR_INVALID_POSE. */
+int scara_prrr_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCARA_PRRR_OK or SCARA_PRRR_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_PRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* scara_prrr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void scara_prrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

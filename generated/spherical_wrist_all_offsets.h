@@ -1,0 +1,69 @@
+/* spherical_wrist_all_offsets: Spherical wrist on an arm with every offset
+ *
+ * Inverse kinematics, generated from robots/spherical_wrist_all_offsets.yaml and
+ * templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/spherical_wrist_all_offsets.yaml. The formulas and where they come
+ * from: spherical_wrist_all_offsets.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_H
+#define SPHERICAL_WRIST_ALL_OFFSETS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    SPHERICAL_WRIST_ALL_OFFSETS_DOF = 6, /* joints */
+    SPHERICAL_WRIST_ALL_OFFSETS_ROWS = 8 /* branches */
+};
+
+/* What a row of spherical_wrist_all_offsets_ik holds. */
+enum {
+    /* joint values */
+    SPHERICAL_WRIST_ALL_OFFSETS_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const spherical_wrist_all_offsets_branches[8];
+
+/* The pose T of the joint values q. */
+void spherical_wrist_all_offsets_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE. */
+int spherical_wrist_all_offsets_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SPHERICAL_WRIST_ALL_OFFSETS_OK or SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT, or, with NaN in q,
+ * minus SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* spherical_wrist_all_offsets_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void spherical_wrist_all_offsets_ik_batch(
+    size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

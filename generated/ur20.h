@@ -1,0 +1,65 @@
+/* ur20: Universal Robots UR20
+ *
+ * Inverse kinematics, generated from robots/ur20.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/ur20.yaml. The formulas and where they come from: ur20.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef UR20_H
+#define UR20_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    UR20_DOF = 6, /* joints */
+    UR20_ROWS = 8 /* branches */
+};
+
+/* What a row of ur20_ik holds. */
+enum {
+    /* joint values */
+    UR20_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    UR20_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    UR20_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    UR20_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    UR20_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const ur20_branches[8];
+
+/* The pose T of the joint values q. */
+void ur20_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void ur20_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -UR20_INVALID_POSE. */
+int ur20_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns UR20_OK or UR20_FREE_JOINT, or, with NaN in q,
+ * minus UR20_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int ur20_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* ur20_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void ur20_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

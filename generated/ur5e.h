@@ -1,0 +1,65 @@
+/* ur5e: Universal Robots UR5e
+ *
+ * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef UR5E_H
+#define UR5E_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    UR5E_DOF = 6, /* joints */
+    UR5E_ROWS = 8 /* branches */
+};
+
+/* What a row of ur5e_ik holds. */
+enum {
+    /* joint values */
+    UR5E_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    UR5E_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    UR5E_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    UR5E_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    UR5E_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const ur5e_branches[8];
+
+/* The pose T of the joint values q. */
+void ur5e_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void ur5e_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -UR5E_INVALID_POSE. */
+int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns UR5E_OK or UR5E_FREE_JOINT, or, with NaN in q,
+ * minus UR5E_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int ur5e_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* ur5e_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void ur5e_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

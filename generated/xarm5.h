@@ -1,0 +1,65 @@
+/* xarm5: UFACTORY xArm 5
+ *
+ * Inverse kinematics, generated from robots/xarm5.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/xarm5.yaml. The formulas and where they come from: xarm5.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef XARM5_H
+#define XARM5_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    XARM5_DOF = 5, /* joints */
+    XARM5_ROWS = 4 /* branches */
+};
+
+/* What a row of xarm5_ik holds. */
+enum {
+    /* joint values */
+    XARM5_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    XARM5_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    XARM5_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    XARM5_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    XARM5_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const xarm5_branches[4];
+
+/* The pose T of the joint values q. */
+void xarm5_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void xarm5_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -XARM5_INVALID_POSE. */
+int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns XARM5_OK or XARM5_FREE_JOINT, or, with NaN in q,
+ * minus XARM5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+
+/* xarm5_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 4 x 5, status n x 4. */
+void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

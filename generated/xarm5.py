@@ -1,0 +1,714 @@
+"""xarm5: UFACTORY xArm 5.
+
+Inverse kinematics, generated from robots/xarm5.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/xarm5.yaml. The formulas and where they come from: xarm5.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "xarm5"
+DOF = 5
+JOINT_TYPES = "RRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left-down",
+    "left-up",
+    "right-down",
+    "right-up",
+)
+MAX_SOLUTIONS = 4
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.267  # joint offset 1 [m]
+a2 = 0.2894866145437471  # link length 2 [m]
+a3 = 0.35116  # link length 3 [m]
+a4 = 0.076  # link length 4 [m]
+d5 = 0.097  # joint offset 5 [m]
+free_limit1 = 1.080646614543747e-12  # a length that fixes no angle [m]
+offset1 = 3.141592653589793  # offset of joint 1 [rad]
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+offset2 = 1.7566747807196037  # offset of joint 2 [rad]
+offset3 = 2.733184269115749  # offset of joint 3 [rad]
+offset4 = -1.3482663962455592  # offset of joint 4 [rad]
+longest3 = 0.4104280847263644  # square of the longest reach [m^2]
+shortest3 = 0.003803606473635553  # square of the shortest reach [m^2]
+longest3_reach = 0.41042808472650283  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.003803606473622223  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.4104280847263506  # the longest, where branches merge [m^2]
+shortest3_apart = 0.0038036064736368855  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.1677971055248617e-24  # square of a length that fixes no angle [m^2]
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
+k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
+k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (5,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    T = np.zeros((4, 4))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v3 = c1 * s2
+    v4 = s1 * s2
+    v5 = q[2] + offset3
+    c3 = math.cos(v5)
+    s3 = math.sin(v5)
+    x3_x = x2_x * c3 - v3 * s3
+    x3_y = x2_y * c3 - v4 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v6 = v3 * c3 + x2_x * s3
+    v7 = v4 * c3 + x2_y * s3
+    y3_z = c2 * c3 - s2 * s3
+    v8 = q[3] + offset4
+    c4 = math.cos(v8)
+    s4 = math.sin(v8)
+    x4_x = x3_x * c4 - v6 * s4
+    x4_y = x3_y * c4 - v7 * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    v9 = v6 * c4 + x3_x * s4
+    v10 = v7 * c4 + x3_y * s4
+    T33_ = y3_z * c4 - x3_z * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    T11_ = x4_x * c5 - s1 * s5
+    T21_ = x4_y * c5 + c1 * s5
+    T31_ = x4_z * c5
+    T22_ = c1 * c5 - x4_y * s5
+    T14_ = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5
+    T24_ = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5
+    T34_ = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + T33_ * d5
+    T[0, 0] = T11_
+    T[0, 1] = -(s1 * c5 + x4_x * s5)
+    T[0, 2] = -v9
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = -v10
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = -(x4_z * s5)
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    J = np.zeros((6, 5))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v3 = c1 * s2
+    v4 = s1 * s2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 + s2 * a2
+    v5 = q[2] + offset3
+    c3 = math.cos(v5)
+    s3 = math.sin(v5)
+    x3_x = x2_x * c3 - v3 * s3
+    x3_y = x2_y * c3 - v4 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v6 = v3 * c3 + x2_x * s3
+    v7 = v4 * c3 + x2_y * s3
+    y3_z = c2 * c3 - s2 * s3
+    p3_x = p2_x + x3_x * a3
+    p3_y = p2_y + x3_y * a3
+    p3_z = p2_z + x3_z * a3
+    v8 = q[3] + offset4
+    c4 = math.cos(v8)
+    s4 = math.sin(v8)
+    v9 = v6 * c4 + x3_x * s4
+    v10 = v7 * c4 + x3_y * s4
+    J65 = y3_z * c4 - x3_z * s4
+    p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4
+    p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4
+    p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4
+    J21 = p4_x - v9 * d5
+    p5_y = p4_y - v10 * d5
+    p5_z = p4_z + J65 * d5
+    v11 = p5_z - d1
+    J32 = s1 * p5_y + c1 * J21
+    v12 = p5_z - p2_z
+    J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x)
+    v13 = p5_z - p3_z
+    J34 = s1 * (p5_y - p3_y) + c1 * (J21 - p3_x)
+    v14 = J21 - p4_x
+    v15 = p5_y - p4_y
+    v16 = p5_z - p4_z
+    J25 = J65 * v14 + v9 * v16
+    J35 = v10 * v14 - v9 * v15
+    J[0, 0] = -p5_y
+    J[0, 1] = -(c1 * v11)
+    J[0, 2] = -(c1 * v12)
+    J[0, 3] = -(c1 * v13)
+    J[0, 4] = -(v10 * v16 + J65 * v15)
+    J[1, 0] = J21
+    J[1, 1] = -(s1 * v11)
+    J[1, 2] = -(s1 * v12)
+    J[1, 3] = -(s1 * v13)
+    J[1, 4] = J25
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[3, 1] = s1
+    J[3, 2] = s1
+    J[3, 3] = s1
+    J[3, 4] = -v9
+    J[4, 1] = -c1
+    J[4, 2] = -c1
+    J[4, 3] = -c1
+    J[4, 4] = -v10
+    J[5, 0] = 1.0
+    J[5, 4] = J65
+    return J
+
+
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+
+    The first value of a row that is _LOST says how far it is from a solution (negative).
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    free1 = w1 <= free_limit1
+    divisor1 = 1.0 if free1 else w1
+    v1 = seed[0] + offset1
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    v2 = T33 * T33
+    v3 = seed[1] + offset2
+    v4 = v3 + (seed[2] + offset3) + (seed[3] + offset4)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v7 = T34 - d1
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(v1) if free1 else T14 * factor1
+        s1 = math.sin(v1) if free1 else T24 * factor1
+
+        # theta234
+        Z2_234 = T13 * c1 + T23 * s1
+        w234 = math.sqrt(Z2_234 * Z2_234 + v2)
+        free234 = w234 <= free_limit_squared
+        factor234 = 1.0 / (1.0 if free234 else w234)
+        c234 = math.cos(v4) if free234 else T33 * factor234
+        s234 = math.sin(v4) if free234 else -(Z2_234 * factor234)
+        theta234 = _atan2(s234, c234)
+
+        # theta5, type 3: U1[3, 2] and U1[3, 1]
+        Z1_5 = T12 * s1 - T22 * c1
+        Z2_5 = T11 * s1 - T21 * c1
+        w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
+        free5 = w5 <= free_limit_squared
+        v5 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v5)
+        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v5)
+        q5 = _atan2(s5, c5)
+
+        # theta3
+        v6 = c234 * d5 + s234 * a4
+        Z1_3 = v7 - v6
+        v8 = s234 * d5 - c234 * a4
+        Z2_3 = w1 * e1 + v8
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+        K3 = N3 - k1
+        D3 = (longest3 - N3) * (N3 - shortest3)
+        apart3 = shortest3_apart < N3 and N3 < longest3_apart
+        if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+            if free1:
+                status[2 * i1] = _LOST + 1
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 2
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 3
+                q[2 * i1, 0] = D3
+            if free234:
+                status[2 * i1] = _LOST + 4
+                q[2 * i1, 0] = D3
+            continue  # out of reach
+        w3 = math.sqrt(D3 if apart3 else 0.0)
+        c3 = K3 * k2
+
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
+        X1_2 = a2 + a3 * c3
+        v9 = Z1_3 * X1_2
+        v10 = Z2_3 * X1_2
+
+        # is the pose one that the arm can take?
+        v11 = c1 * c234
+        v13 = s1 * c234
+        v14 = d1 + v6
+        if (
+            not (abs(T33 - c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
+            - s234 * c5) <= pose_slack and (abs(T23 + s1 * s234) <= pose_slack and (abs(T22 - (c1 *
+            c5 - s5 * v13)) <= pose_slack and (abs(T21 - (c5 * v13 + c1 * s5)) <= pose_slack and
+            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v11 - s1 * s5)) <= pose_slack
+            and abs(T12 + (s1 * c5 + s5 * v11)) <= pose_slack))))))))
+        ):
+            continue  # the arm can't take this pose
+
+        # joint values
+        q1 = _wrap(_atan2(s1, c1) - offset1)
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta3
+            if e2 < 0.0 and not apart3:
+                continue  # both signs give the same
+            s3 = w3 * e2 * k2
+            theta3 = _atan2(s3, c3)
+
+            # theta2
+            Y1_2 = a3 * s3
+            S2 = v9 - Z2_3 * Y1_2
+            C2 = v10 + Z1_3 * Y1_2
+            w2 = math.sqrt(S2 * S2 + C2 * C2)
+            free2 = w2 <= free_limit_squared2
+            factor2 = 1.0 / (1.0 if free2 else w2)
+            c2 = math.cos(v3) if free2 else C2 * factor2
+            s2 = math.sin(v3) if free2 else S2 * factor2
+            theta2 = _atan2(s2, c2)
+
+            # is the pose one that the arm can take?
+            c23 = c3 * c2 - s3 * s2
+            s23 = c3 * s2 + s3 * c2
+            v12 = a3 * c23 + (a2 * c2 + -v8)
+            if (
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and (abs(T14 - c1 * v12)
+                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1))
+            ):
+                continue  # the arm can't take this pose
+
+            # joint values
+            q2 = _wrap(theta2 - offset2)
+            q3 = _wrap(theta3 - offset3)
+            q4 = _wrap(theta234 - (theta3 + theta2) - offset4)
+            free2_ = free234 or free2
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 or free5 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _attempt(pose, seed, lost, moved, q, status):
+    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+
+    The row and the joint that had been chosen are the two numbers of `lost`.
+    """
+    row, joint = lost
+    for i in range(4):
+        status[i] = UNREACHABLE
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, q, status)
+    seed[joint] = kept
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@_jit
+def _summit(pose, seed, lost, low, high, q, status):
+    """Golden section for a move between low and high that serves; NaN if there is none."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, lost, low + third, q, status)
+        right = _attempt(pose, seed, lost, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
+        else:
+            low += third
+    return math.nan
+
+
+@_jit
+def _serving(pose, seed, lost, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
+    between two of them, bisection the end that is nearest to the seed.
+    """
+    step, nearest = _TURN / 64, math.nan
+    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, lost, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest):
+            nearest = outer
+    return nearest
+
+
+@_jit
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    lost = row, status[row] - _LOST - 1
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    moved = _serving(pose, seed, lost, trial, result)
+    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    status[row] = result[row] if served else UNREACHABLE
+    for i in range(5):
+        q[row, i] = trial[row, i] if served else math.nan
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(4):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(5):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(4):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(5):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (4, 5), NaN where there is no solution; float64.
+        status: Filled with what each row holds (4,); uint8.
+        q_seed: Values for joints that are indeterminate (5,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (5,):
+        raise ValueError("q_seed must be (5,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (4, 5) and status (4,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (5,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (5,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(5):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(5):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (5,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (5,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 4) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 4, 5) and status (N, 4).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
