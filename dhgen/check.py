@@ -7,8 +7,13 @@ import os
 import re
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_robot
+from dhgen.program.tolerances import DOUBLE, SINGLE
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
@@ -71,8 +76,8 @@ def _difference(path: Path, text: str) -> str | None:
 def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
     """Files of the output folder that neither these robot files nor their neighbours make."""
     folders = {path.resolve().parent for path in files}
-    neighbours = {_robot_name(each) for folder in folders for each in folder.glob("*.yaml")}
-    known = {_robot_name(path) for path in files}
+    neighbours = _stems(each for folder in folders for each in folder.glob("*.yaml"))
+    known = _stems(files)
     if not out.is_dir():
         return []
     return sorted(
@@ -82,6 +87,12 @@ def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
         and path.name not in expected
         and (path.stem in known or path.stem not in neighbours)
     )
+
+
+def _stems(files: Iterable[Path]) -> set[str]:
+    """What the names of files may begin with that are made of these robot files."""
+    names = map(_robot_name, files)
+    return {name + precision.suffix for name in names for precision in (DOUBLE, SINGLE)}
 
 
 def _robot_name(path: Path) -> str:

@@ -121,12 +121,15 @@ def _write(options: argparse.Namespace) -> int:
             f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
             f"{report.residual:.1e} arm sizes; {compiled}"
         )
+        if report.single is not None:
+            print(f"in single precision: largest residual {report.single:.1e} arm sizes")
         print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
     return worst
 
 
 def _own(compilation: Compilation) -> list[str]:
-    return [name for name in compilation.files if Path(name).stem == compilation.robot.name]
+    stems = [compilation.robot.name, *([compilation.single.name] if compilation.single else [])]
+    return [name for name in compilation.files if Path(name).stem in stems]
 
 
 def _check(options: argparse.Namespace) -> int:

@@ -15,23 +15,28 @@ Every value between stages is frozen; data flows one way.
 from __future__ import annotations
 
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from dhgen.errors import PrecisionError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
+from dhgen.paul.step import Kind
 from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.lower import lower
+from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot.load import load
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
+from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from dhgen.paul.derivation import Derivation
+    from dhgen.program.tolerances import Precision
     from dhgen.robot.robot import Robot
     from dhgen.verify.verify import Report
 
@@ -44,12 +49,14 @@ class Compilation:
         robot: The file, validated.
         derivation: Why the solver is what it is.
         module: The programs.
+        single: The programs for single precision, where the file asks for them.
         files: Text of every file by its name.
     """
 
     robot: Robot
     derivation: Derivation
     module: SolverModule
+    single: SolverModule | None
     files: dict[str, str]
 
 
@@ -63,23 +70,51 @@ def compile_robot(path: Path, tell: Callable[[str], None] = lambda _: None) -> C
     Raises:
         RobotFileError: The file has mistakes.
         UnsolvedError: No derivation solves the arm.
+        PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
     robot = load(path)
     tell("deriving")
     chain = build_chain(robot)
     derivation = derive(chain)
     tell("writing programs")
-    module = SolverModule(
-        name=robot.name,
+    module = _module(robot, derivation, source_name(path), DOUBLE)
+    single = None
+    if robot.float32:
+        _demand_closed_form(derivation)
+        single = _module(robot, derivation, source_name(path), SINGLE)
+    files = emit(robot, derivation, module, single)
+    return Compilation(robot, derivation, module, single, files)
+
+
+def _module(
+    robot: Robot, derivation: Derivation, source: str, precision: Precision
+) -> SolverModule:
+    """The programs of a robot for some arithmetic, under the name that they bear there."""
+    chain = derivation.problem.algebra.chain
+    name = robot.name + precision.suffix
+    return SolverModule(
+        name=name,
         title=robot.title,
-        source=source_name(path),
+        source=source,
         chain=chain,
-        solver=lower(derivation),
-        forward=forward_program(chain),
-        jacobian=jacobian_program(chain),
+        solver=replace(lower(derivation, precision.tolerances), name=name),
+        forward=replace(forward_program(chain), name=name),
+        jacobian=replace(jacobian_program(chain), name=name),
         length_unit=robot.length_unit,
+        precision=precision,
     )
-    return Compilation(robot, derivation, module, emit(robot, derivation, module))
+
+
+def _demand_closed_form(derivation: Derivation) -> None:
+    """Roots of polynomials lose half of their digits; of seven too few are left."""
+    kinds = {step.kind for step in derivation.steps}
+    if derivation.general is not None or Kind.CIRCLE in kinds:
+        name = derivation.problem.algebra.chain.name
+        what = "the general 6R algorithm" if derivation.general else "a quartic"
+        raise PrecisionError(
+            f"{name}: float32 is for arms in closed form, and this one needs {what}, whose roots "
+            "are too coarse in single precision; leave float32 out"
+        )
 
 
 def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: None) -> Report:
@@ -92,7 +127,10 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         for name, text in compilation.files.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
-        return verify(compilation.module, Path(folder))
+        report = verify(compilation.module, Path(folder))
+        if compilation.single is None:
+            return report
+        return replace(report, single=verify_single(compilation.single, Path(folder)))
 
 
 def source_name(path: Path) -> str:

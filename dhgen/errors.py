@@ -60,5 +60,9 @@ class UnsolvedError(DhgenError):
     """No order of equations solves the robot; the message says which way failed where."""
 
 
+class PrecisionError(DhgenError):
+    """An arm that cannot be solved in the precision that its file asks for."""
+
+
 class VerificationError(DhgenError):
     """The written files do not do what they promise: a fault of the compiler, never the user's."""

@@ -23,7 +23,6 @@ from dhgen.program.roots import (
     remember,
     signed_root,
 )
-from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -213,11 +212,11 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     longest, shortest = extremes("square of the {} reach")
     discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
     builder.name(discriminant, f"D{angle.suffix}")
-    far, near = extremes("the {}, with what rounding adds", TOLERANCES.reach)
+    far, near = extremes("the {}, with what rounding adds", context.scales.tolerances.reach)
     inside = builder.apply(
         "and", builder.apply("at_most", near, reach), builder.apply("at_most", reach, far)
     )
-    below, above = extremes("the {}, where branches merge", -TOLERANCES.merge)
+    below, above = extremes("the {}, where branches merge", -context.scales.tolerances.merge)
     apart = builder.apply(
         "and", builder.apply("less", above, reach), builder.apply("less", reach, below)
     )

@@ -29,17 +29,18 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
     from dhgen.program.graph import Node
     from dhgen.program.ir import Program
+    from dhgen.program.tolerances import Tolerances
 
 TRIED = 50  # poses on which a program's rows are looked at
 
 
-def lower(derivation: Derivation) -> Program:
-    """The program of a derivation."""
+def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Program:
+    """The program of a derivation, for arithmetic with these tolerances."""
     if derivation.general is not None:
         return general_program(derivation.problem.algebra.chain, derivation.general)
-    program = Lowering(derivation, checked=derivation.problem.redundant).run()
+    program = Lowering(derivation, tolerances, checked=derivation.problem.redundant).run()
     if not derivation.problem.redundant and _has_strangers(derivation, program):
-        return Lowering(derivation, checked=True).run()
+        return Lowering(derivation, tolerances, checked=True).run()
     return program
 
 
@@ -72,7 +73,7 @@ class Lowering:
         step_number: Of the step at hand, from 1.
     """
 
-    def __init__(self, derivation: Derivation, *, checked: bool) -> None:
+    def __init__(self, derivation: Derivation, tolerances: Tolerances, *, checked: bool) -> None:
         self._checked = checked
         self._derivation = derivation
         self._problem = derivation.problem
@@ -83,7 +84,7 @@ class Lowering:
         self.builder = Builder(reserved={*self._constants, "T", "q", "status"})
         self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
         self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
-        self.scales = Scales(derivation.pool, self.builder)
+        self.scales = Scales(derivation.pool, self.builder, tolerances)
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0
 
@@ -166,12 +167,13 @@ class Lowering:
         """A pose with more entries than the arm can choose has to be one of its poses."""
         builder = self.builder
         builder.heading("is the pose one that the arm can take?")
+        consistent = self.scales.tolerances.consistent
         conditions: dict[tuple[int, ...], list[Node]] = {}
         for name in sorted(task_entries(self._algebra.chain.task)):
             row, column = int(name[1]) - 1, int(name[2]) - 1
             reached = self.lower(self._problem.forward.entry(row, column))
             miss = builder.absolute(builder.sub(self.value(name), reached))
-            scale = self.scales.tolerance(TOLERANCES.consistent, int(column == 3), "consistent")
+            scale = self.scales.tolerance(consistent, int(column == 3), "consistent")
             if not builder.is_zero(miss):
                 near = builder.apply("at_most", miss, scale)
                 conditions.setdefault(builder.axes_of(near), []).append(near)

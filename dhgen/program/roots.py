@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
-from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
@@ -68,14 +67,14 @@ def keep_one(context: Lowering, sign: Node, met: Node) -> None:
 
 def is_short(context: Lowering, length: Node, degree: int, angle: AngleSum) -> Node:
     """Whether a vector is too short to fix an angle."""
-    limit = context.scales.tolerance(TOLERANCES.free, degree, "free")
+    limit = context.scales.tolerance(context.scales.tolerances.free, degree, "free")
     short = context.builder.apply("at_most", length, limit)
     return context.builder.name(short, f"free{angle.suffix}")
 
 
 def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
     """The same from the square of its length, or the product of two that vanish together."""
-    limit = context.scales.tolerance(TOLERANCES.free**2, 2 * degree, "free_square")
+    limit = context.scales.tolerance(context.scales.tolerances.free**2, 2 * degree, "free_square")
     short = context.builder.apply("at_most", square, limit)
     return context.builder.name(short, f"free{angle.suffix}")
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.program.tolerances import TOLERANCES
-
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import Step
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
+    from dhgen.program.tolerances import Tolerances
 
 _NAMES = {
     "free": ("free_limit", "a length that fixes no angle"),
@@ -29,9 +28,11 @@ class Scales:
     Args:
         pool: The equations, with the points that have names.
         builder: Where constants go.
+        tolerances: The table of the arithmetic that the program is for.
     """
 
-    def __init__(self, pool: Pool, builder: Builder) -> None:
+    def __init__(self, pool: Pool, builder: Builder, tolerances: Tolerances) -> None:
+        self.tolerances = tolerances
         self._algebra = pool.problem.algebra
         self._builder = builder
         self._size = self._algebra.chain.size
@@ -49,8 +50,8 @@ class Scales:
 
     def distances(self, degree: int) -> tuple[Node, Node]:
         """What rounding may do to a value of this many lengths: for reaching, and for merging."""
-        reach = self.tolerance(TOLERANCES.reach, degree, "reach")
-        return reach, self.tolerance(TOLERANCES.merge, degree, "merge")
+        reach = self.tolerance(self.tolerances.reach, degree, "reach")
+        return reach, self.tolerance(self.tolerances.merge, degree, "merge")
 
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""

@@ -1,7 +1,7 @@
 """Every tolerance of the generated code, with its reason. Nothing else decides what is zero.
 
 Lengths are relative to the size of the arm; rounding in a pose is a few 1e-16 of it, after the
-products of a derivation a few 1e-15.
+products of a derivation a few 1e-15. In single precision it is a few 1e-8 and a few 1e-7.
 """
 
 from __future__ import annotations
@@ -48,3 +48,37 @@ class Tolerances:
 
 
 TOLERANCES = Tolerances()
+
+
+@dataclass(frozen=True, slots=True)
+class Precision:
+    """The arithmetic that generated code uses.
+
+    Attributes:
+        name: What it is called.
+        suffix: What it adds to the robot's name, in names of files and functions.
+        tolerances: Its table.
+    """
+
+    name: str
+    suffix: str
+    tolerances: Tolerances
+
+
+DOUBLE = Precision("double precision", "", TOLERANCES)
+
+# As above with the rounding of a float, 5e8 times as coarse. The margins are narrower, or nothing
+# would be left between them: a direction taken from a vector just longer than `free` is good to
+# 1e-2 rad. What a user may have rounded (rotation, consistent) does not depend on the arithmetic.
+SINGLE = Precision(
+    "single precision",
+    "_f32",
+    Tolerances(
+        free=2e-5,
+        reach=1e-6,
+        merge=1e-7,
+        orthonormal=1e-12,
+        last_row=1e-6,
+        limit=2e-6,
+    ),
+)

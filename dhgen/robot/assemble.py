@@ -66,6 +66,7 @@ class _Assembly:
             task=_task(file.task),
             free=free,
             length_unit=units.length,
+            float32=file.float32,
             notices=self.report.notices,
         )
 

@@ -151,6 +151,7 @@ class Robot:
         task: What of the pose the caller means.
         free: Joints (from 1) whose value the caller gives.
         length_unit: How lengths are called, e.g. "m".
+        float32: Whether C in single precision is wanted besides.
         notices: What was snapped to an exact value, or looks like a slip.
     """
 
@@ -164,6 +165,7 @@ class Robot:
     task: Task
     free: tuple[int, ...] = ()
     length_unit: str = "m"
+    float32: bool = False
     notices: tuple[Diagnostic, ...] = ()
 
     @property

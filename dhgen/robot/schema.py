@@ -230,6 +230,11 @@ class RobotFile(_Strict):
         default=[], description="Joints, from 1, whose value the caller gives, in ascending order."
     )
     units: Units = Field(default=Units(), description="Units of lengths and angles.")
+    float32: bool = Field(
+        default=False,
+        description="Whether the compiler also writes C in single precision, NAME_f32.c and .h, "
+        "for small controllers. For arms in closed form only.",
+    )
 
 
 class _EditorSchema(GenerateJsonSchema):

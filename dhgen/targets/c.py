@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import c_source
+from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
+from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.layout import WIDTH, call, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
@@ -24,10 +26,13 @@ INDENT = "    "
 def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
     values = module_values(module) | _texts(module) | _functions(module) | _bodies(module)
-    return {
+    texts = {
         f"{module.name}.h": render("c/solver.h.jinja", **values),
         f"{module.name}.c": render("c/solver.c.jinja", **values),
     }
+    if module.precision is SINGLE:
+        return {name: in_single_precision(text) for name, text in texts.items()}
+    return texts
 
 
 def _texts(module: SolverModule) -> dict[str, object]:
@@ -41,12 +46,14 @@ def _texts(module: SolverModule) -> dict[str, object]:
     finite = [f"isfinite(T[{4 * row + 3}])" for row in module.position_entries]
     given = [f"isfinite(free_joints[{place}])" for place in range(len(module.chain.free))]
     values = module_values(module)
+    single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
     return {
         "about": paragraph(f"{module.name}: {values['title']}", " * "),
         "made_h": made_text(module, "c/solver.h.jinja", " * "),
         "made_c": made_text(module, "c/solver.c.jinja", " * "),
         "frames": paragraph(
-            f"{frames}{module.length_unit}, angles in rad. {values['task']}", " * "
+            f"{frames}{module.length_unit}, angles in rad{single}. {values['task']}",
+            " * ",
         ),
         "constants": [line for each in constant_texts(module) for line in _constant(*each)],
         "branch_names": _strings(module.branches),

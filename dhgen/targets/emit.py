@@ -21,13 +21,23 @@ POSE_HELPERS = {
 }
 
 
-def emit(robot: Robot, derivation: Derivation, module: SolverModule) -> dict[str, str]:
-    """The solver in every language, the derivation, and the pose helpers that all robots share."""
+def emit(
+    robot: Robot, derivation: Derivation, module: SolverModule, single: SolverModule | None
+) -> dict[str, str]:
+    """The solver in every language, the derivation, and the pose helpers that all robots share.
+
+    Args:
+        robot: The robot file.
+        derivation: What the programs were made from.
+        module: The programs.
+        single: The same for single precision, if it is asked for: C only.
+    """
     document = derivation_document(robot, derivation, module.solver, module.source)
     helpers = {name: render(template) for name, template in POSE_HELPERS.items()}
     return {
         **python_files(module),
         **c_files(module),
+        **({} if single is None else c_files(single)),
         f"{module.name}.md": document,
         **helpers,
     }

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.branches import branch_labels
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
 from dhgen.targets.walk import (
@@ -34,7 +34,7 @@ class SolverModule:
     """A robot's programs, ready to be printed in any language.
 
     Attributes:
-        name: The robot's identifier.
+        name: The robot's identifier, and the suffix of the precision.
         title: What a person calls it.
         source: Path of the robot file as it stands in the emitted header, relative.
         chain: The arm.
@@ -42,6 +42,7 @@ class SolverModule:
         forward: From joint values to the pose.
         jacobian: From joint values to the geometric Jacobian.
         length_unit: How lengths are called.
+        precision: The arithmetic that the programs are for; its suffix ends `name`.
     """
 
     name: str
@@ -52,6 +53,12 @@ class SolverModule:
     forward: Program
     jacobian: Program
     length_unit: str
+    precision: Precision = DOUBLE
+
+    @property
+    def robot(self) -> str:
+        """The robot's identifier."""
+        return self.name.removesuffix(self.precision.suffix)
 
     @property
     def branches(self) -> tuple[str, ...]:
@@ -117,7 +124,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
         "checks_last_row": kind is TaskKind.POSE,
-        "tolerances": TOLERANCES,
+        "tolerances": module.precision.tolerances,
         "turn": repr(2.0 * math.pi),
         "fan": FAN,
         "half_fan": FAN // 2,
@@ -129,7 +136,7 @@ def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
     made = f"Inverse kinematics, generated from {module.source} and templates/{template}."
     mended = f"Do not edit: run dhgen {module.source}."
-    told = f"The formulas and where they come from: {module.name}.md."
+    told = f"The formulas and where they come from: {module.robot}.md."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 
 

@@ -50,12 +50,14 @@ class Report:
         solutions: How many rows held joint values.
         residual: The largest miss of a row, in arm sizes.
         compiled: Whether a C compiler was there.
+        single: The largest miss of a row in single precision; None if it was not asked for.
     """
 
     poses: int
     solutions: int
     residual: float
     compiled: bool
+    single: float | None = None
 
 
 def verify(module: SolverModule, folder: Path) -> Report:

@@ -19,6 +19,7 @@ from dhgen.paul.step import Kind, Step
 from dhgen.program.interpret import Rows, interpret
 from dhgen.program.kernels import KERNELS
 from dhgen.program.lower import Lowering
+from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from tests.derivation.stories import ROBOTS
 
@@ -71,7 +72,7 @@ def kernel_program(
     unknowns = (*angles, *((slide(),) if slides else ()))
     roots = {Kind.LENGTH: 1, Kind.ANGLE_PAIR: 1}.get(kind, 2)
     step = Step(kind, unknowns, (), tuple(values.items()), roots, 0)
-    context = Lowering(Derivation(pool(), (step,), ((),)), checked=False)
+    context = Lowering(Derivation(pool(), (step,), ((),)), TOLERANCES, checked=False)
     context.step_number = 1
     KERNELS[kind](context, step)
     results = {"r": context.value(slide().name)} if slides else {}

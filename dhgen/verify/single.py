@@ -1,0 +1,134 @@
+"""Proves that C in single precision does what it promises, or refuses it.
+
+Poses are computed in double precision and rounded; what comes back is put through the same
+independent forward model. Single precision can't tell a pose at a singularity from one beside it,
+so which rows are filled there is not compared with double precision.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.errors import VerificationError
+from dhgen.robot.robot import TaskKind
+from dhgen.verify.measures import Measures
+from dhgen.verify.native import compile_solver
+from dhgen.verify.samples import samples, spoiled_poses
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from dhgen.targets.module import SolverModule
+    from dhgen.verify.samples import Sample
+
+    Array = NDArray[np.float64]
+
+COUNT = 150  # poses of each sort
+RESIDUAL = 5e-5  # of the arm's size: what a row may miss its pose by; a free joint moves it most
+FOUND = 1e-2  # [rad or arm sizes] the generating joint values on random poses
+FORWARD = 3e-6  # of the arm's size: what the forward model may be off by
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
+HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
+
+
+def verify_single(module: SolverModule, folder: Path) -> float | None:
+    """Checks the C of a robot in single precision as it lies in a folder.
+
+    Returns:
+        The largest miss of a row, in arm sizes; None without a compiler.
+
+    Raises:
+        VerificationError: Something is not as promised; the text says what, and on which joints.
+    """
+    shape = (module.chain.dof, module.solver.rows, len(module.chain.free))
+    solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
+    if solver is None:
+        return None
+    checker = _Checker(module, solver.library)
+    for sample in samples(module.chain, COUNT):
+        checker.sample(sample)
+    checker.impossible()
+    return checker.residual
+
+
+class _Checker:
+    def __init__(self, module: SolverModule, library: Any) -> None:  # noqa: ANN401 - of ctypes
+        self._module = module
+        self._library = library
+        self._chain = module.chain
+        self._measures = Measures(module.chain)
+        self._free = [joint - 1 for joint in self._chain.free]
+        self.residual = 0.0
+
+    def sample(self, sample: Sample) -> None:
+        """Every pose of a sample, with the generating joints as the seed."""
+        random = sample.name == "random"
+        for q, exact in zip(sample.q, self._measures.arm.pose(sample.q), strict=True):
+            T = np.asarray(exact, np.float32)
+            where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
+            self._demand(self._measures.pose_miss(self._fk(q), exact), FORWARD, f"{where}: fk")
+            rows, status = self._ik(T, q)
+            held = rows[np.isin(status, HELD)]
+            if not len(held):
+                raise VerificationError(f"{where}: no row holds a solution")
+            miss = self._measures.residual(held, np.asarray(T, np.float64))
+            self.residual = max(self.residual, miss)
+            self._demand(miss, RESIDUAL, f"{where}: a row misses the pose")
+            if random:
+                near = float(self._measures.joint_miss(held, q).max(axis=1).min())
+                self._demand(near, FOUND, f"{where}: the nearest solution")
+                nearest = float(np.abs(self._nearest(T, q) - q).max())
+                enough = FOUND * max(1.0, self._chain.size)
+                self._demand(nearest, enough, f"{where}: ik_nearest")
+
+    def impossible(self) -> None:
+        """Poses that are none, and poses out of reach."""
+        name = self._module.name
+        q = samples(self._chain, 8)[0].q
+        endless = "P" in self._module.joint_types or self._chain.task.kind is TaskKind.ORIENTATION
+        for joints, T in zip(q, self._measures.arm.pose(q), strict=True):
+            for spoiled in spoiled_poses(self._chain.task, T):
+                _, status = self._ik(spoiled, joints)
+                if not (status == INVALID_POSE).all():
+                    raise VerificationError(f"{name}: took a pose that is none:\n{spoiled}")
+            far = T.copy()
+            far[:3, 3] += 10.0 * self._chain.size
+            if not endless and not (self._ik(far, joints)[1] == UNREACHABLE).all():
+                raise VerificationError(f"{name}: reached a pose out of reach:\n{far}")
+
+    def _fk(self, q: Array) -> Array:
+        T = np.empty((4, 4), np.float32)
+        self._call("fk", q, T)
+        return np.asarray(T, np.float64)
+
+    def _ik(self, T: NDArray[Any], seed: Array) -> tuple[Array, NDArray[np.uint8]]:
+        rows = np.empty((self._module.solver.rows, self._chain.dof), np.float32)
+        status = np.empty(len(rows), np.uint8)
+        self._call("ik", T, *self._given(seed), seed, rows, status)
+        return np.asarray(rows, np.float64), status
+
+    def _nearest(self, T: NDArray[Any], seed: Array) -> Array:
+        q = np.empty(self._chain.dof, np.float32)
+        self._call("ik_nearest", T, *self._given(seed), seed, q)
+        return np.asarray(q, np.float64)
+
+    def _given(self, q: Array) -> list[Array]:
+        """The argument for free joints, where there are any."""
+        return [q[self._free]] if self._free else []
+
+    def _call(self, function: str, *arrays: NDArray[Any]) -> None:
+        """Numbers go over as floats; arrays that are floats or bytes already are filled."""
+        given = [
+            np.ascontiguousarray(a, np.float32) if a.dtype == np.float64 else a for a in arrays
+        ]
+        pointers = [a.ctypes.data_as(ctypes.c_void_p) for a in given]
+        self._library[f"{self._module.name}_{function}"](*pointers)
+
+    def _demand(self, miss: float, enough: float, what: str) -> None:
+        if not miss <= enough:
+            raise VerificationError(f"{what} is off by {miss:.1e}")

@@ -1,0 +1,400 @@
+/* puma560_f32: Unimation PUMA 560
+ *
+ * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
+ */
+#include "puma560_f32.h"
+
+#include <math.h>
+
+static const float turn = 6.2831855f;
+static const float d1 = 0.67183f; /* joint offset 1 [m] */
+static const float a2 = 0.4318f; /* link length 2 [m] */
+static const float d3 = 0.15005f; /* joint offset 3 [m] */
+static const float a3 = 0.0203f; /* link length 3 [m] */
+static const float d4 = 0.4318f; /* joint offset 4 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const float free_limit_squared2 = 1.1638741e-09f;
+static const float longest3 = 0.74662894f; /* square of the longest reach [m^2] */
+static const float shortest3 = 2.2744655e-07f; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const float longest3_reach = 0.74663186f;
+/* the shortest, with what rounding adds [m^2] */
+static const float shortest3_reach = 2.2582243e-07f;
+/* the longest, where branches merge [m^2] */
+static const float longest3_apart = 0.74662864f;
+/* the shortest, where branches merge [m^2] */
+static const float shortest3_apart = 2.2760928e-07f;
+static const float free_limit = 2e-05f; /* a length that fixes no angle */
+static const float k1 = 0.022515003f; /* d3^2 [m^2] */
+static const float k2 = 5.119075e-07f; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+static const float k3 = 5.1190487e-08f; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
+static const float k4 = 0.37290248f; /* 2 * d4 * a2 [m^2] */
+static const float k5 = 0.01753108f; /* 2 * a3 * a2 [m^2] */
+static const float k6 = 0.37331456f; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+static const float k7 = 7.175475f; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+
+const char *const puma560_f32_branches[8] = {
+    "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
+    "right-down-flip", "right-up-noflip", "right-up-flip",
+};
+
+static const float lowest[6] = {
+    -2.7925267f, -1.9198622f, -2.3561945f, -4.6425757f,
+    -1.7453293f, -4.6425757f,
+};
+static const float highest[6] = {
+    2.7925267f, 1.9198622f, 2.3561945f, 4.6425757f, 1.7453293f,
+    4.6425757f,
+};
+
+void puma560_f32_fk(const float q[6], float T[16])
+{
+    const float c1 = cosf(q[0]);
+    const float s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]);
+    const float s2 = sinf(q[1]);
+    const float x2_x = c1 * c2;
+    const float x2_y = s1 * c2;
+    const float v1 = c1 * s2;
+    const float v2 = s1 * s2;
+    const float c3 = cosf(q[2]);
+    const float s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3;
+    const float x3_y = x2_y * c3 - v2 * s3;
+    const float x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3;
+    const float v4 = v2 * c3 + x2_y * s3;
+    const float z3_z = c2 * c3 - s2 * s3;
+    const float c4 = cosf(q[3]);
+    const float s4 = sinf(q[3]);
+    const float x4_x = x3_x * c4 - s1 * s4;
+    const float x4_y = x3_y * c4 + c1 * s4;
+    const float x4_z = x3_z * c4;
+    const float z4_x = s1 * c4 + x3_x * s4;
+    const float y5_y = c1 * c4 - x3_y * s4;
+    const float z4_z = x3_z * s4;
+    const float T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
+    const float T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
+    const float T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
+    const float c5 = cosf(q[4]);
+    const float s5 = sinf(q[4]);
+    const float x5_x = x4_x * c5 - v3 * s5;
+    const float x5_y = x4_y * c5 - v4 * s5;
+    const float x5_z = x4_z * c5 + z3_z * s5;
+    const float T33_ = z3_z * c5 - x4_z * s5;
+    const float c6 = cosf(q[5]);
+    const float s6 = sinf(q[5]);
+    const float T11_ = x5_x * c6 - z4_x * s6;
+    const float T21_ = x5_y * c6 + y5_y * s6;
+    const float T31_ = x5_z * c6 - z4_z * s6;
+    const float T22_ = y5_y * c6 - x5_y * s6;
+    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
+    T[8] = T31_; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0f;
+    T[15] = 1.0f;
+}
+
+void puma560_f32_jacobian(const float q[6], float J[36])
+{
+    const float c1 = cosf(q[0]);
+    const float s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]);
+    const float s2 = sinf(q[1]);
+    const float x2_x = c1 * c2;
+    const float x2_y = s1 * c2;
+    const float v1 = c1 * s2;
+    const float v2 = s1 * s2;
+    const float p2_x = x2_x * a2;
+    const float p2_y = x2_y * a2;
+    const float p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]);
+    const float s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3;
+    const float x3_y = x2_y * c3 - v2 * s3;
+    const float x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3;
+    const float v4 = v2 * c3 + x2_y * s3;
+    const float J64 = c2 * c3 - s2 * s3;
+    const float p3_z = p2_z + x3_z * a3;
+    const float p3_x = p2_x + x3_x * a3 + s1 * d3;
+    const float p3_y = p2_y + x3_y * a3 - c1 * d3;
+    const float c4 = cosf(q[3]);
+    const float s4 = sinf(q[3]);
+    const float J45 = s1 * c4 + x3_x * s4;
+    const float J65 = x3_z * s4;
+    const float J21 = p3_x - v3 * d4;
+    const float p4_y = p3_y - v4 * d4;
+    const float p4_z = p3_z + J64 * d4;
+    const float J55 = x3_y * s4 - c1 * c4;
+    const float c5 = cosf(q[4]);
+    const float s5 = sinf(q[4]);
+    const float J66 = J64 * c5 - x3_z * c4 * s5;
+    const float v5 = p4_z - d1;
+    const float J32 = s1 * p4_y + c1 * J21;
+    const float v6 = p4_z - p2_z;
+    const float J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x);
+    const float v7 = J21 - p3_x;
+    const float v8 = p4_y - p3_y;
+    const float v9 = p4_z - p3_z;
+    const float J24 = J64 * v7 + v3 * v9;
+    const float J34 = v4 * v7 - v3 * v8;
+    J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + J64 * v8); J[4] = 0.0f;
+    J[5] = 0.0f;
+    J[6] = J21; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = J24; J[10] = 0.0f; J[11] = 0.0f;
+    J[12] = 0.0f; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = 0.0f; J[17] = 0.0f;
+    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = J45;
+    J[23] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5);
+    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = J55;
+    J[29] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5);
+    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = J64; J[34] = J65; J[35] = J66;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static float misfit(const float T[16])
+{
+    const float *x = T, *y = T + 4, *z = T + 8;
+    const float xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0f;
+    const float yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0f;
+    const float xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const float z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const float z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const float z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0f * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(float T[16])
+{
+    float R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const float given[16], float T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
+        return 0;
+    const float miss = misfit(T);
+    if (!(miss <= 1e-09f))
+        return 0;
+    if (miss > 1e-12f) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const float T[16], const float seed[6], float q[8][6], unsigned char status[8])
+{
+    const float T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const float T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const float T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1, type 2: U1[3, 4] */
+    const float N1 = T14 * T14 + T24 * T24;
+    const float D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const int apart1 = k3 < D1;
+    if (!(-k2 <= D1)) return; /* out of reach */
+    const float w1 = sqrtf(apart1 ? D1 : 0.0f);
+    const float inverse1 = 1.0f / (free1 ? 1.0f : N1);
+    const float v1 = T14 * d3;
+    const float v2 = T24 * d3;
+
+    /* theta3, type 6: U1[2, 4] and U1[1, 4] */
+    const float Z1_3 = T34 - d1;
+    const float v3 = Z1_3 * Z1_3;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+        const float e1 = i1 == 0 ? 1.0f : -1.0f;
+        /* theta1 */
+        if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
+        const float root1 = w1 * e1;
+        const float c1 = free1 ? cosf(seed[0]) : inverse1 * (T14 * root1 - v2);
+        const float s1 = free1 ? sinf(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const float q1 = atan2f(s1, c1);
+
+        /* theta3 */
+        const float N3 = v3 + root1 * root1;
+        const float K3 = N3 - k6;
+        const float D3 = (longest3 - N3) * (N3 - shortest3);
+        const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+        if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
+        const float w3 = sqrtf(apart3 ? D3 : 0.0f);
+        const float v4 = k4 * K3;
+        const float v5 = k5 * K3;
+
+        /* theta4, type 2: U4[3, 3] */
+        const float v6 = T13 * c1 + T23 * s1;
+        const float Y4 = T23 * c1 - T13 * s1;
+        const float v8 = Y4 * Y4;
+
+        /* theta6, type 3: U4[3, 2] and U4[3, 1] */
+        const float v9 = T12 * s1 - T22 * c1;
+        const float v10 = T12 * c1 + T22 * s1;
+        const float v12 = T11 * s1 - T21 * c1;
+        const float v13 = T11 * c1 + T21 * s1;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+            const float e2 = i2 == 0 ? 1.0f : -1.0f;
+            /* theta3 */
+            if (e2 < 0.0f && !apart3) continue; /* both signs give the same */
+            const float root3 = w3 * e2;
+            const float s3 = (k5 * root3 - v4) * k7;
+            const float c3 = k7 * (v5 + k4 * root3);
+            const float q3 = atan2f(s3, c3);
+
+            /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+            const float X1_2 = a2 + (a3 * c3 - d4 * s3);
+            const float Y1_2 = d4 * c3 + a3 * s3;
+            const float S2 = Z1_3 * X1_2 - root1 * Y1_2;
+            const float C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const float w2 = sqrtf(S2 * S2 + C2 * C2);
+            const int free2 = w2 <= free_limit_squared2;
+            const float factor2 = 1.0f / (free2 ? 1.0f : w2);
+            const float c2 = free2 ? cosf(seed[1]) : C2 * factor2;
+            const float s2 = free2 ? sinf(seed[1]) : S2 * factor2;
+            const float q2 = atan2f(s2, c2);
+
+            /* theta4 */
+            const float c23 = c3 * c2 - s3 * s2;
+            const float s23 = c3 * s2 + s3 * c2;
+            const float v7 = c23 * v6 + T33 * s23;
+            const float w4 = sqrtf(v7 * v7 + v8);
+            const int free4 = w4 <= free_limit;
+            const float divisor4 = free4 ? 1.0f : w4;
+
+            /* theta5, type 3: U4[2, 3] and U4[1, 3] */
+            const float c5 = T33 * c23 - s23 * v6;
+
+            /* theta6 */
+            const float v11 = c23 * v10 + T32 * s23;
+            const float v14 = c23 * v13 + T31 * s23;
+
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
+                const float e3 = i3 == 0 ? 1.0f : -1.0f;
+                /* theta4 */
+                if (e3 < 0.0f && free4) continue; /* both signs give the same */
+                const float factor4 = e3 / divisor4;
+                const float c4 = free4 ? cosf(seed[3]) : v7 * factor4;
+                const float s4 = free4 ? sinf(seed[3]) : Y4 * factor4;
+                const float q4 = atan2f(s4, c4);
+
+                /* theta5 */
+                const float q5 = atan2f(-(w4 * e3), c5);
+
+                /* theta6 */
+                const float q6 = atan2f(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
+                const int row = 4 * i1 + 2 * i2 + i3;
+                q[row][0] = q1;
+                q[row][1] = q2;
+                q[row][2] = q3;
+                q[row][3] = q4;
+                q[row][4] = q5;
+                q[row][5] = q6;
+                status[row] = (free1 || free2 || free4) ? PUMA560_F32_FREE_JOINT : PUMA560_F32_OK;
+            }
+        }
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static float turned(int joint, float given, float towards)
+{
+    const float low = lowest[joint] - 2e-06f;
+    const float high = highest[joint] + 2e-06f;
+    float value = given;
+    value += turn * floorf((towards - value) / turn + 0.5f);
+    if (value > high)
+        value -= turn * ceilf((value - high) / turn);
+    if (value < low)
+        value += turn * ceilf((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, float value)
+{
+    return lowest[joint] - 2e-06f <= value && value <= highest[joint] + 2e-06f;
+}
+
+int puma560_f32_ik(
+    const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
+{
+    static const float zeros[6] = { 0.0f };
+    const float *seed = q_seed ? q_seed : zeros;
+    float pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? PUMA560_F32_UNREACHABLE : PUMA560_F32_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -PUMA560_F32_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] == PUMA560_F32_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = PUMA560_F32_OUT_OF_LIMITS;
+        }
+        count += status[row] != PUMA560_F32_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
+{
+    float all[8][6], least = HUGE_VALF;
+    unsigned char status[8];
+    int result = -PUMA560_F32_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    if (puma560_f32_ik(T, q_seed, all, status) < 0)
+        return -PUMA560_F32_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        float distance = 0.0f;
+        if (status[row] == PUMA560_F32_OUT_OF_LIMITS && result < 0)
+            result = -PUMA560_F32_OUT_OF_LIMITS;
+        if (status[row] != PUMA560_F32_OK && status[row] != PUMA560_F32_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const float moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void puma560_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)puma560_f32_ik(T + 16 * k, NULL, (float (*)[6])(q + 48 * k), status + 8 * k);
+}

@@ -1,0 +1,65 @@
+/* scara_f32: SCARA
+ *
+ * Inverse kinematics, generated from robots/scara.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/scara.yaml. The formulas and where they come from: scara.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
+ * all in single precision. Every entry of a pose counts.
+ */
+#ifndef SCARA_F32_H
+#define SCARA_F32_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    SCARA_F32_DOF = 4, /* joints */
+    SCARA_F32_ROWS = 2 /* branches */
+};
+
+/* What a row of scara_f32_ik holds. */
+enum {
+    /* joint values */
+    SCARA_F32_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    SCARA_F32_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    SCARA_F32_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    SCARA_F32_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    SCARA_F32_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const scara_f32_branches[2];
+
+/* The pose T of the joint values q. */
+void scara_f32_fk(const float q[4], float T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void scara_f32_jacobian(const float q[4], float J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -SCARA_F32_INVALID_POSE. */
+int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns SCARA_F32_OK or SCARA_F32_FREE_JOINT, or, with NaN in q,
+ * minus SCARA_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4]);
+
+/* scara_f32_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 4, status n x 2. */
+void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,509 @@
+/* ur5_f32: Universal Robots UR5
+ *
+ * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
+ */
+#include "ur5_f32.h"
+
+#include <math.h>
+
+static const float turn = 6.2831855f;
+static const float d1 = 0.089159f; /* joint offset 1 [m] */
+static const float a2 = -0.425f; /* link length 2 [m] */
+static const float a3 = -0.39225f; /* link length 3 [m] */
+static const float d4 = 0.10915f; /* joint offset 4 [m] */
+static const float d5 = 0.09465f; /* joint offset 5 [m] */
+static const float d6 = 0.0823f; /* joint offset 6 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const float free_limit_squared2 = 5.688311e-10f;
+static const float free_limit = 2e-05f; /* a length that fixes no angle */
+static const float longest3 = 0.6678976f; /* square of the longest reach [m^2] */
+static const float shortest3 = 0.0010725625f; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const float longest3_reach = 0.6678995f;
+/* the shortest, with what rounding adds [m^2] */
+static const float shortest3_reach = 0.0010724844f;
+/* the longest, where branches merge [m^2] */
+static const float longest3_apart = 0.66789734f;
+/* the shortest, where branches merge [m^2] */
+static const float shortest3_apart = 0.0010725703f;
+static const float k1 = 0.011913722f; /* d4^2 [m^2] */
+static const float k2 = 2.6032615e-07f; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
+static const float k3 = 2.6032486e-08f; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
+static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
+static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
+
+const char *const ur5_f32_branches[8] = {
+    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
+    "right-noflip-up", "right-flip-down", "right-flip-up",
+};
+
+static const float lowest[6] = {
+    -6.2831855f, -6.2831855f, -6.2831855f, -6.2831855f,
+    -6.2831855f, -6.2831855f,
+};
+static const float highest[6] = {
+    6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f,
+    6.2831855f,
+};
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static float wrap(float angle)
+{
+    return angle - turn * ceilf(angle / turn - 0.5f);
+}
+
+void ur5_f32_fk(const float q[6], float T[16])
+{
+    const float c1 = cosf(q[0]);
+    const float s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]);
+    const float s2 = sinf(q[1]);
+    const float x2_x = c1 * c2;
+    const float x2_y = s1 * c2;
+    const float v1 = c1 * s2;
+    const float v2 = s1 * s2;
+    const float c3 = cosf(q[2]);
+    const float s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3;
+    const float x3_y = x2_y * c3 - v2 * s3;
+    const float x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3;
+    const float v4 = v2 * c3 + x2_y * s3;
+    const float y3_z = c2 * c3 - s2 * s3;
+    const float c4 = cosf(q[3]);
+    const float s4 = sinf(q[3]);
+    const float x4_x = x3_x * c4 - v3 * s4;
+    const float x4_y = x3_y * c4 - v4 * s4;
+    const float x4_z = x3_z * c4 + y3_z * s4;
+    const float z4_x = v3 * c4 + x3_x * s4;
+    const float z4_y = v4 * c4 + x3_y * s4;
+    const float y5_z = y3_z * c4 - x3_z * s4;
+    const float c5 = cosf(q[4]);
+    const float s5 = sinf(q[4]);
+    const float x5_x = x4_x * c5 + s1 * s5;
+    const float x5_y = x4_y * c5 - c1 * s5;
+    const float x5_z = x4_z * c5;
+    const float T13_ = s1 * c5 - x4_x * s5;
+    const float v5 = c1 * c5 + x4_y * s5;
+    const float v6 = x4_z * s5;
+    const float c6 = cosf(q[5]);
+    const float s6 = sinf(q[5]);
+    const float T11_ = x5_x * c6 - z4_x * s6;
+    const float T21_ = x5_y * c6 - z4_y * s6;
+    const float T31_ = x5_z * c6 + y5_z * s6;
+    const float T32_ = y5_z * c6 - x5_z * s6;
+    const float T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6;
+    const float T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
+    const float T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
+    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v5; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = -v6; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0f;
+    T[15] = 1.0f;
+}
+
+void ur5_f32_jacobian(const float q[6], float J[36])
+{
+    const float c1 = cosf(q[0]);
+    const float s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]);
+    const float s2 = sinf(q[1]);
+    const float x2_x = c1 * c2;
+    const float x2_y = s1 * c2;
+    const float v1 = c1 * s2;
+    const float v2 = s1 * s2;
+    const float p2_x = x2_x * a2;
+    const float p2_y = x2_y * a2;
+    const float p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]);
+    const float s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3;
+    const float x3_y = x2_y * c3 - v2 * s3;
+    const float x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3;
+    const float v4 = v2 * c3 + x2_y * s3;
+    const float y3_z = c2 * c3 - s2 * s3;
+    const float p3_x = p2_x + x3_x * a3;
+    const float p3_y = p2_y + x3_y * a3;
+    const float p3_z = p2_z + x3_z * a3;
+    const float c4 = cosf(q[3]);
+    const float s4 = sinf(q[3]);
+    const float J45 = v3 * c4 + x3_x * s4;
+    const float J55 = v4 * c4 + x3_y * s4;
+    const float p4_x = p3_x + s1 * d4;
+    const float p4_y = p3_y - c1 * d4;
+    const float J65 = x3_z * s4 - y3_z * c4;
+    const float c5 = cosf(q[4]);
+    const float s5 = sinf(q[4]);
+    const float J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5;
+    const float v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5;
+    const float v6 = (x3_z * c4 + y3_z * s4) * s5;
+    const float p5_x = p4_x + J45 * d5;
+    const float p5_y = p4_y + J55 * d5;
+    const float p5_z = p3_z + J65 * d5;
+    const float J21 = p5_x + J46 * d6;
+    const float p6_y = p5_y - v5 * d6;
+    const float p6_z = p5_z - v6 * d6;
+    const float v7 = p6_z - d1;
+    const float J32 = s1 * p6_y + c1 * J21;
+    const float v8 = p6_z - p2_z;
+    const float J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
+    const float v9 = p6_z - p3_z;
+    const float J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x);
+    const float v10 = J21 - p4_x;
+    const float v11 = p6_y - p4_y;
+    const float J15 = J55 * v9 - J65 * v11;
+    const float J25 = J65 * v10 - J45 * v9;
+    const float J35 = J45 * v11 - J55 * v10;
+    const float v12 = J21 - p5_x;
+    const float v13 = p6_y - p5_y;
+    const float v14 = p6_z - p5_z;
+    const float J16 = v6 * v13 - v5 * v14;
+    const float J36 = J46 * v13 + v5 * v12;
+    J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15; J[5] = J16;
+    J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9); J[10] = J25;
+    J[11] = -(v6 * v12 + J46 * v14);
+    J[12] = 0.0f; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
+    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = s1; J[22] = J45; J[23] = J46;
+    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -c1; J[28] = J55; J[29] = -v5;
+    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = 0.0f; J[34] = J65; J[35] = -v6;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static float misfit(const float T[16])
+{
+    const float *x = T, *y = T + 4, *z = T + 8;
+    const float xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0f;
+    const float yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0f;
+    const float xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const float z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const float z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const float z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0f * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(float T[16])
+{
+    float R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const float given[16], float T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
+        return 0;
+    const float miss = misfit(T);
+    if (!(miss <= 1e-09f))
+        return 0;
+    if (miss > 1e-12f) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
+
+/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
+ * is LOST says how far it is from a solution (negative). */
+static void solve(
+    const float T[16], const float seed[6], float q[8][6], unsigned char status[8])
+{
+    const float T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const float T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const float T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1, type 2: U1 A6^-1 [3, 4] */
+    const float X1 = T13 * d6 - T14;
+    const float wy = T24 - d6 * T23;
+    const float N1 = X1 * X1 + wy * wy;
+    const float D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const int apart1 = k3 < D1;
+    if (!(-k2 <= D1)) return; /* out of reach */
+    const float w1 = sqrtf(apart1 ? D1 : 0.0f);
+    const float inverse1 = 1.0f / (free1 ? 1.0f : N1);
+    const float v1 = X1 * d4;
+    const float v2 = wy * d4;
+
+    /* theta3, type 8: U1[2, 4] and U1[1, 4] */
+    const float v4 = T34 - d1;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+        const float e1 = i1 == 0 ? 1.0f : -1.0f;
+        /* theta1 */
+        if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
+        const float root1 = w1 * e1;
+        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v2 + X1 * root1));
+        const float s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v1);
+        const float q1 = atan2f(s1, c1);
+
+        /* theta6, type 2: U1 A6^-1 [3, 2] */
+        const float X6 = T21 * c1 - T11 * s1;
+        const float Y6 = T22 * c1 - T12 * s1;
+        const float w6 = sqrtf(X6 * X6 + Y6 * Y6);
+        const int free6 = w6 <= free_limit;
+        const float divisor6 = free6 ? 1.0f : w6;
+
+        /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
+        const float c5 = T13 * s1 - T23 * c1;
+
+        /* theta3 */
+        const float v5 = T14 * c1 + T24 * s1;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+            const float e2 = i2 == 0 ? 1.0f : -1.0f;
+            /* theta6 */
+            if (e2 < 0.0f && free6) continue; /* both signs give the same */
+            const float factor6 = e2 / divisor6;
+            const float c6 = free6 ? cosf(seed[5]) : -(X6 * factor6);
+            const float s6 = free6 ? sinf(seed[5]) : Y6 * factor6;
+            const float q6 = atan2f(s6, c6);
+            const float s5 = w6 * e2;
+
+            /* theta5 */
+            const float q5 = atan2f(s5, c5);
+
+            /* theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1] */
+            const float c234 = c6 * T32 + s6 * T31;
+            const float s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33;
+            const float theta234 = atan2f(s234, c234);
+
+            /* theta3 */
+            const float v3 = d6 * s5;
+            const float Z1_3 = c234 * d5 + s234 * v3 + v4;
+            const float Z2_3 = c234 * v3 - s234 * d5 + v5;
+            const float N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+            const float K3 = N3 - k4;
+            const float D3 = (longest3 - N3) * (N3 - shortest3);
+            const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+            if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+                if (free1) {
+                    status[4 * i1 + 2 * i2] = LOST + 1;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                }
+                if (free6) {
+                    status[4 * i1 + 2 * i2] = LOST + 6;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                }
+                continue; /* out of reach */
+            }
+            const float w3 = sqrtf(apart3 ? D3 : 0.0f);
+            const float c3 = K3 * k5;
+
+            /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+            const float X1_2 = a2 + a3 * c3;
+            const float v6 = Z1_3 * X1_2;
+            const float v7 = Z2_3 * X1_2;
+
+            for (int i3 = 0; i3 < 2; i3++) { /* down, up */
+                const float e3 = i3 == 0 ? 1.0f : -1.0f;
+                /* theta3 */
+                if (e3 < 0.0f && !apart3) continue; /* both signs give the same */
+                const float s3 = w3 * e3 * k5;
+                const float q3 = atan2f(s3, c3);
+
+                /* theta2 */
+                const float Y1_2 = a3 * s3;
+                const float S2 = v6 - Z2_3 * Y1_2;
+                const float C2 = v7 + Z1_3 * Y1_2;
+                const float w2 = sqrtf(S2 * S2 + C2 * C2);
+                const int free2 = w2 <= free_limit_squared2;
+                const float factor2 = 1.0f / (free2 ? 1.0f : w2);
+                const float c2 = free2 ? cosf(seed[1]) : C2 * factor2;
+                const float s2 = free2 ? sinf(seed[1]) : S2 * factor2;
+                const float q2 = atan2f(s2, c2);
+
+                /* joint values */
+                const float q4 = wrap(theta234 - (q3 + q2));
+                const int row = 4 * i1 + 2 * i2 + i3;
+                q[row][0] = q1;
+                q[row][1] = q2;
+                q[row][2] = q3;
+                q[row][3] = q4;
+                q[row][4] = q5;
+                q[row][5] = q6;
+                status[row] = (free1 || free2 || free6) ? UR5_F32_FREE_JOINT : UR5_F32_OK;
+            }
+        }
+    }
+}
+
+/* A row that was lost after a joint had been chosen, and what solving again needs. */
+struct search {
+    const float *T;
+    float seed[6], start, q[8][6];
+    unsigned char status[8];
+    int joint, row;
+};
+
+/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
+static float attempt(struct search *lost, float moved)
+{
+    lost->seed[lost->joint] = lost->start + moved;
+    for (int i = 0; i < 8; i++)
+        lost->status[i] = UR5_F32_UNREACHABLE;
+    solve(lost->T, lost->seed, lost->q, lost->status);
+    if (lost->status[lost->row] >= LOST)
+        return lost->q[lost->row][0];
+    return lost->status[lost->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
+}
+
+/* Golden section for a move between low and high that serves; NaN if there is none. */
+static float summit(struct search *lost, float low, float high)
+{
+    for (int k = 0; k < 52; k++) {
+        const float third = 0.38196602f * (high - low);
+        const float left = attempt(lost, low + third), right = attempt(lost, high - third);
+        if (left == 0.0f || right == 0.0f)
+            return left == 0.0f ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    return NAN;
+}
+
+/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
+ * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
+ * what lies between two of them, bisection the end that is nearest to the seed. */
+static void choose_again(struct search *lost, float q[6], unsigned char *status)
+{
+    const float step = turn / 64.0f;
+    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(lost, -turn / 2.0f);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(lost, (float)(k + 1) * step);
+        float outer = (float)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0f;
+        if (here < 0.0f && here >= before && here > after)
+            outer = summit(lost, outer - step, outer + step);
+        else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const float middle = 0.5f * (inner + outer);
+            if (attempt(lost, middle) == 0.0f)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabsf(outer) >= fabsf(nearest)))
+            nearest = outer;
+    }
+    *status = UR5_F32_UNREACHABLE;
+    if (isnan(nearest) || attempt(lost, nearest) != 0.0f)
+        nearest = NAN;
+    else
+        *status = lost->status[lost->row];
+    for (int i = 0; i < 6; i++)
+        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static float turned(int joint, float given, float towards)
+{
+    const float low = lowest[joint] - 2e-06f;
+    const float high = highest[joint] + 2e-06f;
+    float value = given;
+    value += turn * floorf((towards - value) / turn + 0.5f);
+    if (value > high)
+        value -= turn * ceilf((value - high) / turn);
+    if (value < low)
+        value += turn * ceilf((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, float value)
+{
+    return lowest[joint] - 2e-06f <= value && value <= highest[joint] + 2e-06f;
+}
+
+int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
+{
+    static const float zeros[6] = { 0.0f };
+    const float *seed = q_seed ? q_seed : zeros;
+    float pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? UR5_F32_UNREACHABLE : UR5_F32_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -UR5_F32_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] >= LOST) {
+            struct search lost = { .T = pose, .joint = status[row] - LOST - 1, .row = row };
+            lost.start = seed[lost.joint];
+            for (int i = 0; i < 6; i++)
+                lost.seed[i] = seed[i];
+            choose_again(&lost, q[row], &status[row]);
+        }
+        if (status[row] == UR5_F32_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = UR5_F32_OUT_OF_LIMITS;
+        }
+        count += status[row] != UR5_F32_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
+{
+    float all[8][6], least = HUGE_VALF;
+    unsigned char status[8];
+    int result = -UR5_F32_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    if (ur5_f32_ik(T, q_seed, all, status) < 0)
+        return -UR5_F32_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        float distance = 0.0f;
+        if (status[row] == UR5_F32_OUT_OF_LIMITS && result < 0)
+            result = -UR5_F32_OUT_OF_LIMITS;
+        if (status[row] != UR5_F32_OK && status[row] != UR5_F32_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const float moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)ur5_f32_ik(T + 16 * k, NULL, (float (*)[6])(q + 48 * k), status + 8 * k);
+}

@@ -1,0 +1,65 @@
+/* ur5_f32: Universal Robots UR5
+ *
+ * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
+ * all in single precision. Every entry of a pose counts.
+ */
+#ifndef UR5_F32_H
+#define UR5_F32_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    UR5_F32_DOF = 6, /* joints */
+    UR5_F32_ROWS = 8 /* branches */
+};
+
+/* What a row of ur5_f32_ik holds. */
+enum {
+    /* joint values */
+    UR5_F32_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    UR5_F32_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    UR5_F32_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    UR5_F32_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    UR5_F32_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const ur5_f32_branches[8];
+
+/* The pose T of the joint values q. */
+void ur5_f32_fk(const float q[6], float T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void ur5_f32_jacobian(const float q[6], float J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -UR5_F32_INVALID_POSE. */
+int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns UR5_F32_OK or UR5_F32_FREE_JOINT, or, with NaN in q,
+ * minus UR5_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6]);
+
+/* ur5_f32_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,117 @@
+"""The C on a small controller: solved in QEMU, with no heap, no static memory and only libm."""
+
+from __future__ import annotations
+
+import subprocess
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.program.tolerances import SINGLE
+from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
+from tests.targets.made import NAMES, apart, made, poses_of, residual, robot
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.survey.oracle.arm import FloatArray
+
+pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"not installed: {', '.join(MISSING)}")
+
+POSES = 24
+SMALL = [name for name in NAMES if robot(name).float32]
+BOARDS = {"Cortex-M4": CORTEX_M4, "Cortex-M7": CORTEX_M7}
+# Of the arm's size: what rows may miss a pose by, and what the generating joints may be off by.
+ENOUGH: dict[type, tuple[float, float]] = {np.float64: (1e-11, 1e-6), np.float32: (5e-5, 1e-2)}
+LIBM = {"atan2", "ceil", "cos", "fabs", "floor", "fmax", "fmin", "hypot", "sin", "sqrt"}
+COPYING = {"memcpy", "memset"}  # a compiler may call these for any assignment
+STATIC = {".data", ".bss", ".tdata", ".tbss", "COMMON"}
+
+
+def written(name: str, folder: Path) -> None:
+    for file, text in made(name).files.items():
+        (folder / file).write_text(text, encoding="utf-8")
+
+
+@cache
+def targets(name: str) -> tuple[FloatArray, FloatArray]:
+    """Joint values inside the limits, some at right angles, and their poses by the oracle."""
+    draw = np.random.default_rng(5)
+    limits = [joint.limits or (-np.pi, np.pi) for joint in robot(name).joints]
+    low, high = np.array(limits).clip(-np.pi, np.pi).T
+    q = draw.uniform(low, high, (POSES, len(limits)))
+    right = np.clip(draw.integers(-1, 2, q.shape) * np.pi / 2, low, high)
+    q[2 * POSES // 3 :] = np.where(draw.random(q.shape) < 0.4, right, q)[2 * POSES // 3 :]
+    return q, poses_of(name, q)
+
+
+@pytest.mark.parametrize("real", [np.float64, np.float32], ids=["double", "float"])
+@pytest.mark.parametrize("board", BOARDS)
+@pytest.mark.parametrize("name", SMALL)
+def test_solves_on_the_board(name: str, board: str, real: type, tmp_path: Path) -> None:
+    written(name, tmp_path)
+    q, T = targets(name)
+    suffix = SINGLE.suffix if real is np.float32 else ""
+    rows = made(name).module.solver.rows
+    said = answers(BOARDS[board], tmp_path / f"{name}{suffix}.c", rows, q, T, real)
+    miss, off = ENOUGH[real]
+    assert len(said) == POSES
+    for answer, joints, pose in zip(said, q, T, strict=True):
+        held = answer.q[np.isin(answer.status, (0, 2, 3))]
+        assert len(held) > 0
+        assert answer.count == np.isin(answer.status, (0, 2)).sum()
+        assert residual(name, held, pose) < miss
+        assert apart(name, held, joints).max(axis=1).min() < off
+        assert apart(name, answer.nearest, joints).max() < off
+        np.testing.assert_allclose(answer.T, pose, atol=10 * miss)
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_needs_nothing_but_libm(name: str, tmp_path: Path) -> None:
+    """What the object leaves undefined is libm's, the compiler's arithmetic, or copying."""
+    written(name, tmp_path)
+    for suffix, functions in (("", LIBM), (SINGLE.suffix, {f"{each}f" for each in LIBM})):
+        made_object = compiled(CORTEX_M4, tmp_path / f"{name}{suffix}.c", tmp_path / "x.o", "-O2")
+        wanted = undefined(made_object)
+        arithmetic = {each for each in wanted if each.startswith("__aeabi_")}
+        assert wanted - functions - COPYING <= arithmetic
+        assert functions & wanted
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_single_precision_never_becomes_double(name: str, tmp_path: Path) -> None:
+    """No soft arithmetic of doubles where the processor has none."""
+    written(name, tmp_path)
+    source = tmp_path / f"{name}{SINGLE.suffix}.c"
+    flags = ("-O2", "-Wdouble-promotion", "-Wfloat-conversion")
+    made_object = compiled(CORTEX_M4, source, tmp_path / "x.o", *flags)
+    assert [each for each in undefined(made_object) if each.startswith("__aeabi_d")] == []
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_uses_no_static_memory(name: str, tmp_path: Path) -> None:
+    """Constants lie with the code; nothing that could be written to is kept between calls."""
+    written(name, tmp_path)
+    for suffix in ("", SINGLE.suffix):
+        source = tmp_path / f"{name}{suffix}.c"
+        sizes = sections(compiled(CORTEX_M4, source, tmp_path / "x.o", "-O2"))
+        assert sizes[".text"] > 0
+        assert {each: size for each, size in sizes.items() if each in STATIC and size} == {}
+
+
+def undefined(path: Path) -> set[str]:
+    """Symbols that an object wants from elsewhere."""
+    return set(told("arm-none-eabi-nm", "-u", "-j", str(path)).split())
+
+
+def sections(path: Path) -> dict[str, int]:
+    """The sections of an object and their sizes."""
+    lines = told("arm-none-eabi-size", "-A", str(path)).splitlines()
+    cells = [line.split() for line in lines]
+    return {each[0]: int(each[1]) for each in cells if len(each) == 3 and each[1].isdigit()}
+
+
+def told(*command: str) -> str:
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout

@@ -1,0 +1,147 @@
+"""C in single precision: every token that means a double means a float."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.check import stale
+from dhgen.compiler import compile_robot, verified
+from dhgen.errors import PrecisionError, VerificationError
+from dhgen.program.tolerances import SINGLE
+from dhgen.targets.c_single import in_single_precision
+from dhgen.verify.native import c_compiler
+from dhgen.verify.single import verify_single
+from tests.targets.made import ROBOTS, made, robot_path
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.targets.module import SolverModule
+
+SCARA = "scara"
+
+
+@pytest.mark.parametrize(
+    ("double", "single"),
+    [
+        ("double a = 0.6718299999999999;", "float a = 0.67183f;"),
+        ("x * 1e-12 + 2.0 - .5", "x * 1e-12f + 2.0f - 0.5f"),
+        ("fabs(atan2(y, x)) <= sqrt(x)", "fabsf(atan2f(y, x)) <= sqrtf(x)"),
+        ("q[0] + T[16 * k], 0x1f, 7u", "q[0] + T[16 * k], 0x1f, 7u"),
+        ("/* double 1.0, sin */ 'x'", "/* double 1.0, sin */ 'x'"),
+        ('"double 1.0"', '"double 1.0"'),
+        ('#include "x_double_1.0.h"\ndouble', '#include "x_double_1.0.h"\nfloat'),
+        ("-HUGE_VAL, NAN, INFINITY", "-HUGE_VALF, NAN, INFINITY"),
+        ("sine, cos2, adouble, x1.y", "sine, cos2, adouble, x1.y"),
+    ],
+)
+def test_tokens(double: str, single: str) -> None:
+    assert in_single_precision(double) == single
+
+
+@pytest.mark.parametrize("text", ["1e39", "1e-60"])
+def test_what_a_float_cannot_hold_is_refused(text: str) -> None:
+    with pytest.raises(ValueError, match="single precision"):
+        in_single_precision(f"double a = {text};")
+
+
+def test_literals_are_the_nearest_floats() -> None:
+    text = in_single_precision("3.141592653589793 0.1 16777217.0 1.1754943508222875e-38")
+    values = [float(each) for each in re.findall(r"(\S+)f", text)]
+    doubles = (np.pi, 0.1, 16777217.0, 1.1754943508222875e-38)
+    assert [np.float32(each) for each in values] == [np.float32(each) for each in doubles]
+
+
+def module_of(name: str) -> SolverModule:
+    single = made(name).single
+    assert single is not None
+    return single
+
+
+def test_nothing_is_left_of_double_precision() -> None:
+    for name, text in made(SCARA).files.items():
+        if name.startswith(f"{SCARA}{SINGLE.suffix}"):
+            code = re.sub(r'/\*.*?\*/|"[^"]*"', "", text, flags=re.DOTALL)
+            assert "double" not in code
+            assert not re.search(r"\b\d+\.\d+(e-?\d+)?\b(?!f)", code)
+
+
+@pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
+@pytest.mark.parametrize("level", ["-O0", "-O3"])
+def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path) -> None:
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+    more = ["-Wdouble-promotion", "-Wfloat-conversion"]
+    for name in (SCARA, "puma560", "ur5"):
+        for file, text in made(name).files.items():
+            (tmp_path / file).write_text(text, encoding="utf-8")
+        source = tmp_path / f"{name}{SINGLE.suffix}.c"
+        command = [str(c_compiler()), *flags, *more, level, "-c", str(source), "-o", "/dev/null"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
+@pytest.mark.parametrize(
+    ("right", "wrong", "complaint"),
+    [
+        ("= 0.4f;", "= 0.4001f;", "fk is off"),
+        ("status[row] = ", "q[row][0] += 0.001f; status[row] = ", "misses the pose"),
+        ("if (!(miss <= 1e-09f))", "if (isnan(miss))", "took a pose"),
+    ],
+)
+def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path) -> None:
+    for file, text in made(SCARA).files.items():
+        (tmp_path / file).write_text(text, encoding="utf-8")
+    source = tmp_path / f"{SCARA}{SINGLE.suffix}.c"
+    text = source.read_text(encoding="utf-8")
+    assert right in text
+    source.write_text(text.replace(right, wrong, 1), encoding="utf-8")
+    with pytest.raises(VerificationError, match=complaint):
+        verify_single(module_of(SCARA), tmp_path)
+
+
+def test_verification_reports_it() -> None:
+    report = verified(made(SCARA))
+    assert report.single is None or 1e-9 < report.single < 1e-5
+
+
+@pytest.mark.parametrize("name", ["spherical_wrist_general_arm", "general_6r"])
+def test_roots_of_polynomials_are_refused(name: str, tmp_path: Path) -> None:
+    source = robot_path(name)
+    if not source.exists():
+        pytest.skip("no such robot file")
+    path = tmp_path / f"{name}.yaml"
+    path.write_text(source.read_text(encoding="utf-8") + "float32: true\n", encoding="utf-8")
+    with pytest.raises(PrecisionError, match="closed form"):
+        compile_robot(path)
+
+
+def test_without_asking_there_is_none(tmp_path: Path) -> None:
+    path = tmp_path / f"{SCARA}.yaml"
+    text = (ROBOTS / path.name).read_text(encoding="utf-8")
+    path.write_text(re.sub(r"float32:.*\n", "", text), encoding="utf-8")
+    compilation = compile_robot(path)
+    assert compilation.single is None
+    assert [name for name in compilation.files if SINGLE.suffix in name] == []
+
+
+def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
+    """Checking one robot says nothing of its neighbours' files, but of its own."""
+    for name, text in {**made(SCARA).files, **made("ur5").files}.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"
+    assert stale((own,), tmp_path) == []
+    copies = tmp_path / "robots"
+    copies.mkdir()
+    for path in (own, other):
+        (copies / path.name).write_text(path.read_text(encoding="utf-8"), encoding="utf-8")
+    copy = copies / "scara.yaml"
+    copy.write_text(re.sub(r"float32:.*\n", "", copy.read_text(encoding="utf-8")), encoding="utf-8")
+    extra = [line for line in stale((copy,), tmp_path) if "extra file" in line]
+    assert len(extra) == 2
+    assert all(SINGLE.suffix in line for line in extra)
