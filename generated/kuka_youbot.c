@@ -380,8 +380,8 @@ static void choose_again(struct search *lost, double q[5], unsigned char *status
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(lost, (k + 1) * step);
-        double outer = k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
+        after = attempt(lost, (double)(k + 1) * step);
+        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
         if (here < 0.0 && here >= before && here > after)
             outer = summit(lost, outer - step, outer + step);
         else if (here < 0.0 || (k > 0 ? before : after) == 0.0)

@@ -3,8 +3,8 @@
  * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.h.jinja.
  * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
  *
- * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
- * all in double precision. Every entry of a pose counts.
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
  */
 #ifndef PUMA560_H
 #define PUMA560_H
