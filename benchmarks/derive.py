@@ -50,7 +50,7 @@ def measure(name: str) -> tuple[str, ...]:
     try:
         while len(derived) < ROUNDS and sum(derived) < ENOUGH:
             start = time.process_time()
-            derivation = derive(build_chain(robot))
+            derivation = derive(build_chain(robot), numerical=robot.numerical)
             middle = time.process_time()
             lower(derivation)
             derived.append(middle - start)
@@ -70,7 +70,7 @@ def measure(name: str) -> tuple[str, ...]:
 
 def _method(derivation: Derivation) -> str:
     steps = [str(step.kind.value) for step in derivation.steps]
-    return " ".join([*(["general 6R"] if derivation.general else []), *steps])
+    return " ".join([*([derivation.whole.method] if derivation.whole else []), *steps])
 
 
 if __name__ == "__main__":

@@ -47,11 +47,11 @@ def main(arguments: list[str]) -> None:
 
 def general_arms() -> list[str]:
     """The arms whose C uses the general algorithm."""
-    sources = {name: GENERATED / f"{name}.c" for name in robot_names()}
+    sources = {name: GENERATED / f"{name}.h" for name in robot_names()}
     return [
         name
         for name, source in sources.items()
-        if source.exists() and "general_roots" in source.read_text(encoding="utf-8")
+        if source.exists() and '_METHOD "general 6R"' in source.read_text(encoding="utf-8")
     ]
 
 

@@ -6,6 +6,7 @@ import difflib
 import os
 import re
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,7 @@ MOST_DIFFERENCES = 60  # lines of a diff that are shown
 SUFFIXES = {".py", ".c", ".h", ".md"}
 
 
-def stale(files: tuple[Path, ...], out: Path) -> list[str]:
+def stale(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> list[str]:
     """Everything that is not as it should be, as texts; empty when all is well.
 
     Raises:
@@ -28,7 +29,7 @@ def stale(files: tuple[Path, ...], out: Path) -> list[str]:
     """
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
-    for path, made in zip(files, _compile_all(files), strict=True):
+    for path, made in zip(files, _compile_all(files, numerical=numerical), strict=True):
         for name, text in made.items():
             expected[name] = text
             makers.setdefault(name, path)
@@ -44,16 +45,17 @@ def stale(files: tuple[Path, ...], out: Path) -> list[str]:
     return problems
 
 
-def _compile_all(files: tuple[Path, ...]) -> list[dict[str, str]]:
+def _compile_all(files: tuple[Path, ...], *, numerical: bool = False) -> list[dict[str, str]]:
     workers = min(len(files), os.cpu_count() or 1)
+    files_of = partial(_files_of, numerical=numerical)
     if workers == 1:
-        return [_files_of(path) for path in files]
+        return [files_of(path) for path in files]
     with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(_files_of, files))
+        return list(pool.map(files_of, files))
 
 
-def _files_of(path: Path) -> dict[str, str]:
-    return compile_robot(path).files
+def _files_of(path: Path, *, numerical: bool) -> dict[str, str]:
+    return compile_robot(path, numerical=numerical).files
 
 
 def _difference(path: Path, text: str) -> str | None:

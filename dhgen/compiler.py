@@ -60,12 +60,16 @@ class Compilation:
     files: dict[str, str]
 
 
-def compile_robot(path: Path, tell: Callable[[str], None] = lambda _: None) -> Compilation:
+def compile_robot(
+    path: Path, tell: Callable[[str], None] = lambda _: None, *, numerical: bool = False
+) -> Compilation:
     """Everything but verification.
 
     Args:
         path: The robot file.
         tell: Is told what is being done, for progress.
+        numerical: Whether the numerical solver may take what nothing else solves, as when the
+            file says so.
 
     Raises:
         RobotFileError: The file has mistakes.
@@ -75,7 +79,7 @@ def compile_robot(path: Path, tell: Callable[[str], None] = lambda _: None) -> C
     robot = load(path)
     tell("deriving")
     chain = build_chain(robot)
-    derivation = derive(chain)
+    derivation = derive(chain, numerical=numerical or robot.numerical)
     tell("writing programs")
     module = _module(robot, derivation, source_name(path), DOUBLE)
     single = None
@@ -108,12 +112,12 @@ def _module(
 def _demand_closed_form(derivation: Derivation) -> None:
     """Roots of polynomials lose half of their digits; of seven too few are left."""
     kinds = {step.kind for step in derivation.steps}
-    if derivation.general is not None or Kind.CIRCLE in kinds:
+    if derivation.whole is not None or Kind.CIRCLE in kinds:
         name = derivation.problem.algebra.chain.name
-        what = "the general 6R algorithm" if derivation.general else "a quartic"
+        what = "a quartic" if derivation.whole is None else derivation.whole.method
         raise PrecisionError(
-            f"{name}: float32 is for arms in closed form, and this one needs {what}, whose roots "
-            "are too coarse in single precision; leave float32 out"
+            f"{name}: float32 is for arms in closed form, and this one is solved by another "
+            f"method ({what}), which is too coarse in single precision; leave float32 out"
         )
 
 

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define PUMA560_METHOD "closed form"
+
 enum {
     PUMA560_DOF = 6, /* joints */
     PUMA560_ROWS = 8 /* branches */

@@ -37,6 +37,16 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
     return render("python/general6r.py.jinja", p=name, P=name.upper(), t=values(kernel))
 
 
+def c_rows(name: str) -> str:
+    """The static function `all_joints` in C99, which calls `<name>_general`."""
+    return render("c/general6r_rows.c.jinja", p=name)
+
+
+def python_rows(name: str) -> str:
+    """The function `_all_joints` in Python, which calls `<name>_general`."""
+    return render("python/general6r_rows.py.jinja", p=name)
+
+
 def values(kernel: GeneralKernel) -> dict[str, object]:
     """The constants of an arm and of the algorithm, as text."""
     loop = kernel.loop

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from dhgen.general.offset_wrist import OffsetWrist
 
 
+MOST = 16  # solutions
+
+
 @dataclass(frozen=True, slots=True)
 class Score:
     """How well a formulation does on the witnesses.
@@ -47,6 +50,16 @@ class GeneralKernel:
     second: Formulation | None
     scores: tuple[Score, ...]
     wrist: OffsetWrist | None = None
+
+    @property
+    def rows(self) -> int:
+        """How many solutions an arm may have (M. Raghavan, B. Roth, 1990)."""
+        return MOST
+
+    @property
+    def method(self) -> str:
+        """What the method is called."""
+        return "general 6R"
 
     @property
     def formulations(self) -> tuple[Formulation, ...]:

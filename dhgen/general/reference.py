@@ -14,6 +14,7 @@ import numpy as np
 
 from dhgen.general.circle import roots, sample_cosines, trigonometric
 from dhgen.general.determinant import equations, fold
+from dhgen.general.kernel import MOST
 from dhgen.general.loop import reach
 from dhgen.general.offset_wrist import candidates, polynomial, wrist_at
 from dhgen.general.polish import is_singular, polish
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-MOST = 16
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
 RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
@@ -63,6 +63,11 @@ class Solved:
     q: FloatArray
     residual: FloatArray
     complete: bool
+
+    @property
+    def chosen(self) -> NDArray[np.bool_]:
+        """Whether a joint was indeterminate, (k,)."""
+        return np.zeros(len(self.q), dtype=bool)
 
 
 def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.chain import Chain, Fixed, Turn
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,6 +41,30 @@ class NumericArm:
         for element in self.elements:
             T = T @ self.step(q, element)
         return np.asarray(T @ self.tool)
+
+    def axes(self, q: Array) -> tuple[Array, Array]:
+        """Directions and points (..., n, 3) of the joints' axes at joint values (..., n)."""
+        q = np.asarray(q, np.float64)
+        T = np.broadcast_to(self.base, (*q.shape[:-1], 4, 4))
+        directions, points = [], []
+        for element in self.elements:
+            if isinstance(element, tuple):
+                directions.append(T[..., :3, 2])
+                points.append(T[..., :3, 3])
+            T = T @ self.step(q, element)
+        return np.stack(directions, axis=-2), np.stack(points, axis=-2)
+
+    def jacobian(self, q: Array) -> Array:
+        """The geometric Jacobian (..., 6, n): velocity of the tool's origin, angular velocity."""
+        directions, points = self.axes(q)
+        tip = self.pose(q)[..., None, :3, 3]
+        columns = np.concatenate([np.cross(directions, tip - points), directions], axis=-1)
+        for place, joint in enumerate(self.chain.joints):
+            if joint.kind is JointKind.PRISMATIC:
+                columns[..., place, :3] = directions[..., place, :]
+                columns[..., place, 3:] = 0.0
+            columns[..., place, :] *= joint.sign
+        return np.swapaxes(columns, -1, -2)
 
     def step(self, q: Array, element: Array | tuple[int, bool]) -> Array:
         """The transform of one of `elements` for joint values (..., n)."""

@@ -8,22 +8,20 @@ from typing import TYPE_CHECKING
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
-from dhgen.paul.mobility import immobility
-from dhgen.paul.pool import build_pool
+from dhgen.numerical.kernel import numerical_kernel
+from dhgen.paul.mobility import surplus
+from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.refusal import refusal
+from dhgen.paul.refusal import redundant, refusal
 from dhgen.paul.search import Search
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
-    from dhgen.paul.pool import Pool
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.problem import Problem
     from dhgen.paul.step import Step
-
-
-MOST_GENERAL = 16  # solutions of a general 6R arm (M. Raghavan, B. Roth, 1990)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +32,13 @@ class Derivation:
         pool: The equations, with the points that have names.
         steps: In the order of solving.
         alternatives: At each step, the other steps that would have been valid.
-        general: For arms that no order of steps solves: the general 6R algorithm takes them whole.
+        whole: For arms that no order of steps solves: the algorithm that takes them whole.
     """
 
     pool: Pool
     steps: tuple[Step, ...]
     alternatives: tuple[tuple[Step, ...], ...]
-    general: GeneralKernel | None = None
+    whole: GeneralKernel | NumericalKernel | None = None
 
     @property
     def problem(self) -> Problem:
@@ -50,23 +48,34 @@ class Derivation:
     @property
     def branches(self) -> int:
         """The number of rows: the product of the steps' roots."""
-        count = 1 if self.general is None else MOST_GENERAL
+        count = 1 if self.whole is None else self.whole.rows
         for step in self.steps:
             count *= step.roots
         return count
 
 
-def derive(chain: Chain) -> Derivation:
+def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     """Solves an arm by Paul's method, or leaves it to the general 6R algorithm.
+
+    Args:
+        chain: The arm.
+        numerical: Whether the numerical solver may take what nothing else solves.
 
     Raises:
         UnsolvedError: The arm has infinitely many solutions everywhere, or no order of steps makes
             every joint known.
     """
-    stuck = immobility(chain)
-    if stuck is not None:
-        raise UnsolvedError(stuck)
-    pool = build_pool(build_problem(build_algebra(chain)))
+    if len(chain.free) == chain.dof:
+        raise UnsolvedError("every joint is free: there is nothing to solve")
+    spare = surplus(chain)
+    problem = build_problem(build_algebra(chain))
+    if spare.count:
+        if numerical:
+            return Derivation(
+                Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True)
+            )
+        raise UnsolvedError(redundant(chain, spare))
+    pool = build_pool(problem)
     closed = Search(pool, CLOSED)
     for search in (closed, Search(pool, QUARTIC)):
         for route in search.routes():
@@ -74,4 +83,6 @@ def derive(chain: Chain) -> Derivation:
     kernel = general_kernel(chain)
     if kernel is not None:
         return Derivation(pool, (), (), kernel)
+    if numerical:
+        return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     raise UnsolvedError(refusal(closed, chain))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.paul.mobility import coincident_axes
 from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.neighbours import Triple
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
+    from dhgen.paul.mobility import Surplus
     from dhgen.paul.search import Search
     from dhgen.paul.step import EquationType, View
 
@@ -36,6 +38,23 @@ def refusal(search: Search, chain: Chain) -> str:
         f"no order of equations makes every joint known: {open_joints} stay unknown",
         *_nearest(search, state),
         *missed_structure(chain),
+        "--numerical would give the solutions that damped least squares find from many starts",
+    ]
+    return "\n".join(lines)
+
+
+def redundant(chain: Chain, spare: Surplus) -> str:
+    """Why an arm with more joints than its task fixes is not solved, and what can be done."""
+    names = ", ".join(map(str, spare.joints))
+    given = "one of them" if spare.count == 1 else f"{spare.count} of them"
+    lines = [
+        (
+            f"the arm has infinitely many solutions for every pose: joints {names} can be moved "
+            "against each other without moving what the task names"
+        ),
+        *coincident_axes(chain),
+        f"name {given} under `free` to solve for the others with its value given",
+        "--numerical would give the solution near to a seed, by damped least squares",
     ]
     return "\n".join(lines)
 

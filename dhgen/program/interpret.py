@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.general.reference import solve
+from dhgen.general import reference as general
+from dhgen.general.kernel import GeneralKernel
+from dhgen.numerical import reference as numerical
 from dhgen.program.circle import circle_roots
 from dhgen.program.ir import (
+    AllJoints,
     Apply,
-    GeneralRoots,
     Guard,
     Integer,
     Joint,
@@ -116,8 +118,8 @@ class _Run:
                     self._values[statement.name] = self._value(statement.expression)
                 elif isinstance(statement, Roots):
                     self._values[self._program.axes[statement.axis].name] = self._roots(statement)
-                elif isinstance(statement, GeneralRoots):
-                    self._values |= self._general_roots(statement)
+                elif isinstance(statement, AllJoints):
+                    self._values |= self._all_joints(statement)
                 elif isinstance(statement, Guard):
                     alive &= self._value(statement.condition)
             joints = [self._flat(self._value(output)) for output in self._program.outputs]
@@ -139,13 +141,23 @@ class _Run:
         found = np.array([circle_roots(*row) for row in flat.tolist()]).reshape(*shape, -1)
         return np.moveaxis(found, -1, statement.axis + 1).squeeze(statement.axis + 2)
 
-    def _general_roots(self, statement: GeneralRoots) -> dict[str, Array]:
-        """The angles of all solutions along the only axis."""
-        found = np.full((*self._shape, len(statement.names)), np.nan)
-        for row, pose in zip(found, self._poses, strict=True):
-            q = solve(pose, statement.kernel).q
-            row[: len(q)] = q
-        return {name: found[..., place] for place, name in enumerate(statement.names)}
+    def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
+        """All joints of all solutions along the only axis."""
+        kernel = statement.kernel
+        values = np.full((*self._shape, len(statement.names)), np.nan)
+        found, chosen = np.zeros(self._shape, dtype=bool), np.zeros(self._shape, dtype=bool)
+        for k, pose in enumerate(self._poses):
+            seed, free = self._given["seed"][k], self._given["free"][k]
+            solved = (
+                general.solve(pose, kernel)
+                if isinstance(kernel, GeneralKernel)
+                else numerical.solve(pose, seed, free, kernel)
+            )
+            count = len(solved.q)
+            values[k, :count], chosen[k, :count] = solved.q, solved.chosen
+            found[k, :count] = True
+        places = {name: values[..., place] for place, name in enumerate(statement.names)}
+        return places | {statement.found: found, statement.chosen: chosen}
 
     def _flat(self, value: Array) -> Array:
         return np.broadcast_to(value, self._shape).reshape(self._shape[0], -1).copy()

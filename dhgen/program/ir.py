@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.numerical.kernel import NumericalKernel
 
 Operator = Literal[
     "add",
@@ -176,21 +177,25 @@ class Roots:
 
 
 @dataclass(frozen=True, slots=True)
-class GeneralRoots:
-    """All solutions of a loop of six turns: the angles of all joints for every place of an axis.
-
-    Places without a solution hold NaN.
+class AllJoints:
+    """All joints at once, by an algorithm of its own, for every place of an axis.
 
     Attributes:
         axis: Position in `Program.axes` of the axis that chooses the solution.
-        names: The six angles.
-        kernel: What the algorithm knows of the arm.
-        axes: None: the pose alone decides.
+        names: The joint values, or the angles of the algebra.
+        found: The truth value that says whether there is a solution at this place.
+        chosen: The truth value that says whether a joint was indeterminate there.
+        kernel: The algorithm, and what it knows of the arm.
+        given: Whether the caller gives the values of some joints.
+        axes: None: the pose, the seed and the given joints decide.
     """
 
     axis: int
     names: tuple[str, ...]
-    kernel: GeneralKernel
+    found: str
+    chosen: str
+    kernel: GeneralKernel | NumericalKernel
+    given: bool = False
     axes: tuple[int, ...] = ()
 
 
@@ -207,7 +212,7 @@ class Heading:
     detail: str = ""
 
 
-Statement = Let | Guard | Roots | GeneralRoots | Heading
+Statement = Let | Guard | Roots | AllJoints | Heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,7 +244,7 @@ class Program:
         axes: The branch signs, in the order in which rows count: the first changes slowest.
         body: Statements; a name is used only after its `Let`.
         outputs: The results: each joint's value, or the entries of a matrix row by row.
-        free: The truth value that says a joint was chosen, by joint number.
+        free: The truth value that says a joint was chosen, by joint number; 0 for any of them.
     """
 
     name: str

@@ -13,7 +13,6 @@ from dhgen.paul.branches import branch_words
 from dhgen.paul.problem import task_entries
 from dhgen.program.angles import Angles
 from dhgen.program.builder import Builder
-from dhgen.program.general import general_program
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
@@ -21,6 +20,7 @@ from dhgen.program.polynomials import PolynomialLowering
 from dhgen.program.scales import Scales
 from dhgen.program.target import Target
 from dhgen.program.tolerances import TOLERANCES
+from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
@@ -36,8 +36,8 @@ TRIED = 50  # poses on which a program's rows are looked at
 
 def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Program:
     """The program of a derivation, for arithmetic with these tolerances."""
-    if derivation.general is not None:
-        return general_program(derivation.problem.algebra.chain, derivation.general)
+    if derivation.whole is not None:
+        return whole_program(derivation.problem.algebra.chain, derivation.whole)
     program = Lowering(derivation, tolerances, checked=derivation.problem.redundant).run()
     if not derivation.problem.redundant and _has_strangers(derivation, program):
         return Lowering(derivation, tolerances, checked=True).run()

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.builder import Builder
 from dhgen.program.ir import (
+    AllJoints,
     Apply,
     Failure,
-    GeneralRoots,
     Guard,
     Heading,
     Integer,
@@ -56,7 +56,7 @@ class Regular:
 
 def regular(program: Program) -> Regular | None:
     """The program of regular poses; None where the branches are roots of a polynomial."""
-    if any(isinstance(statement, Roots | GeneralRoots) for statement in program.body):
+    if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
     return _Regular(program).run()
 

@@ -7,7 +7,11 @@ T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 """
 
 _C = """
-G LOST after all angle attempt before choose_again circle_roots count distance found general_roots
+all_joints chosen continuum copy damped_step descend descent distance_between is_known keep kept
+limited_step look least_u most_u nearest_solution no_highest no_lowest
+part pulled shorten solved span_low span_width stands_before
+start_of stride turn_vector turning unit wrap_angles
+G LOST after all angle attempt before choose_again circle_roots count distance found
 given here high i residual
 inner j k least left length lost low middle misfit miss moved n nearest outer read_pose result right
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import (
+    AllJoints,
     Apply,
-    GeneralRoots,
     Guard,
     Heading,
     Integer,
@@ -44,8 +44,9 @@ def _statement(program: Program, statement: Statement) -> str:
         case Roots(axis, coefficients, axes):
             texts = ", ".join(map(expression_text, coefficients))
             return f"  {program.axes[axis].name}{signs((*axes, axis))} = roots({texts})"
-        case GeneralRoots(axis, names):
-            return f"  {', '.join(names)}{signs((axis,))} = solutions of the general 6R loop"
+        case AllJoints(axis, names, found, chosen, kernel):
+            values = ", ".join((*names, found, chosen))
+            return f"  {values}{signs((axis,))} = all solutions ({kernel.method})"
         case Guard(condition, axes, failure):
             return f"  guard{signs(axes)} {expression_text(condition)}  ({failure.value})"
 

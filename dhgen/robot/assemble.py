@@ -65,6 +65,7 @@ class _Assembly:
             tool=tool,
             task=_task(file.task),
             free=free,
+            numerical=file.numerical,
             length_unit=units.length,
             float32=file.float32,
             notices=self.report.notices,

@@ -150,6 +150,7 @@ class Robot:
         tool: E in POS = Z T E, pose of the tool in the last frame.
         task: What of the pose the caller means.
         free: Joints (from 1) whose value the caller gives.
+        numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
         notices: What was snapped to an exact value, or looks like a slip.
@@ -164,6 +165,7 @@ class Robot:
     tool: Frame
     task: Task
     free: tuple[int, ...] = ()
+    numerical: bool = False
     length_unit: str = "m"
     float32: bool = False
     notices: tuple[Diagnostic, ...] = ()

@@ -229,6 +229,11 @@ class RobotFile(_Strict):
     free: list[JointNumber] = Field(
         default=[], description="Joints, from 1, whose value the caller gives, in ascending order."
     )
+    numerical: bool = Field(
+        default=False,
+        description="Whether the numerical solver may take the arm if nothing else solves it, as "
+        "with --numerical.",
+    )
     units: Units = Field(default=Units(), description="Units of lengths and angles.")
     float32: bool = Field(
         default=False,

@@ -4,23 +4,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import c_source
+from dhgen.general.emit import c_rows
+from dhgen.general.emit import c_source as general_source
+from dhgen.general.kernel import GeneralKernel
+from dhgen.numerical.emit import c_source as numerical_source
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
 from dhgen.targets.c_single import in_single_precision
-from dhgen.targets.layout import WIDTH, call, listed, packed, paragraph
+from dhgen.targets.layout import INDENT, WIDTH, c_array, call, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
-from dhgen.targets.walk import general_kernel
+from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
-
-INDENT = "    "
 
 
 def c_files(module: SolverModule) -> dict[str, str]:
@@ -57,10 +58,10 @@ def _texts(module: SolverModule) -> dict[str, object]:
         ),
         "constants": [line for each in constant_texts(module) for line in _constant(*each)],
         "branch_names": _strings(module.branches),
-        "lowest": _array(f"static const double lowest[{dof}]", low),
-        "highest": _array(f"static const double highest[{dof}]", high),
-        "revolute": _array(f"static const int revolute[{dof}]", flags),
-        "weight": _array(f"static const double weight[{dof}]", map(repr, module.weights)),
+        "lowest": c_array(f"static const double lowest[{dof}]", low),
+        "highest": c_array(f"static const double highest[{dof}]", high),
+        "revolute": c_array(f"static const int revolute[{dof}]", flags),
+        "weight": c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
         "finite": " && ".join(finite),
         "given_finite": " && ".join(given),
         "jacobian_size": 6 * dof,
@@ -108,18 +109,25 @@ def _functions(module: SolverModule) -> dict[str, str]:
 def _bodies(module: SolverModule) -> dict[str, object]:
     """The programs as lines."""
     language = C()
-    kernel = general_kernel(module.solver)
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": _entries(module.solver),
-        "general": "" if kernel is None else c_source(kernel, module.name),
+        "all_joints": _all_joints(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
         "jacobian": straight_lines(module.jacobian, language, INDENT),
         "jacobian_rows": _assignments("J", jacobian, module.chain.dof),
     }
+
+
+def _all_joints(module: SolverModule) -> str:
+    """The function that solves all joints at once, where there is one."""
+    kernel = whole_arm(module.solver)
+    if isinstance(kernel, GeneralKernel):
+        return f"{general_source(kernel, module.name)}\n{c_rows(module.name)}"
+    return "" if kernel is None else numerical_source(kernel, module.name)
 
 
 def _entries(program: Program) -> list[str]:
@@ -144,14 +152,6 @@ def _constant(name: str, value: str, comment: str) -> list[str]:
 
 def _strings(texts: Iterable[str]) -> list[str]:
     return listed([f'"{text}"' for text in texts], INDENT)
-
-
-def _array(head: str, entries: Iterable[str]) -> str:
-    texts = list(entries)
-    line = f"{head} = {{ {', '.join(texts)} }};"
-    if len(line) <= WIDTH:
-        return line
-    return "\n".join([f"{head} = {{", *listed(texts, INDENT), "};"])
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

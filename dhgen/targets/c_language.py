@@ -8,7 +8,7 @@ from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.scalar import output_texts, row_text
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import Axis, Program
+    from dhgen.program.ir import AllJoints, Axis, Program
     from dhgen.targets.nest import Loop
 
 _FUNCTIONS = {
@@ -94,21 +94,28 @@ class C:
         arguments = ", ".join([*coefficients, name])
         return [f"double {name}[{axis.count}];", f"circle_roots({arguments});"]
 
-    def general_roots(self, axis: Axis) -> list[str]:
-        """Fills a table with all solutions of the general loop."""
-        name = f"{axis.name}_roots"
-        return [f"double {name}[{axis.count}][6];", f"general_roots(T, {name});"]
+    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
+        """Fills a table with all solutions, and arrays with what is true of each."""
+        name, count = axis.name, axis.count
+        given = "T, free_joints, seed" if statement.given else "T, seed"
+        return [
+            f"double {name}_roots[{count}][{len(statement.names)}];",
+            f"int {name}_found[{count}], {name}_chosen[{count}];",
+            f"all_joints({given}, {name}_roots, {name}_found, {name}_chosen);",
+        ]
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name, count = f"i{loop.place + 1}", loop.axis.name, loop.axis.count
         value = f"{index} == 0 ? 1.0 : -1.0" if loop.is_sign else f"{name}_roots[{index}]"
         values = {each: f"{value}[{place}]" for place, each in enumerate(loop.names)}
+        truths = {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
         meaning = loop.axis.meaning
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [
             f"for (int {index} = 0; {index} < {count}; {index}++) {{ /* {words} */",
             *(f"    const double {n} = {v};" for n, v in (values or {name: value}).items()),
+            *(f"    const int {n} = {v};" for n, v in truths.items()),
         ]
 
     def close_loop(self) -> list[str]:

@@ -6,9 +6,10 @@ import textwrap
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
 WIDTH = 100
+INDENT = "    "
 
 
 def wrapped(line: str, indent: str, hanging: str = "    ", width: int = WIDTH) -> list[str]:
@@ -36,6 +37,22 @@ def packed(pieces: Sequence[str], indent: str, separator: str = " ") -> list[str
 def listed(entries: Sequence[str], indent: str) -> list[str]:
     """The entries of a list, each with its comma."""
     return packed([f"{entry}," for entry in entries], indent)
+
+
+def c_array(head: str, entries: Iterable[str]) -> str:
+    """The definition of an array in C."""
+    texts = list(entries)
+    line = f"{head} = {{ {', '.join(texts)} }};"
+    if len(line) <= WIDTH:
+        return line
+    return "\n".join([f"{head} = {{", *listed(texts, INDENT), "};"])
+
+
+def python_array(head: str, entries: Iterable[str]) -> str:
+    """A call with a list, e.g. `x = np.array([1.0])` with the head `x = np.array`."""
+    texts = list(entries)
+    line = f"{head}([{', '.join(texts)}])"
+    return line if len(line) <= WIDTH else "\n".join([f"{head}([", *listed(texts, INDENT), "])"])
 
 
 def call(head: str, arguments: Sequence[str], tail: str, indent: str = "") -> str:

@@ -14,10 +14,10 @@ from dhgen.targets.layout import paragraph
 from dhgen.targets.walk import (
     chooses_again,
     finds_roots,
-    general_kernel,
     merged_constants,
     reads,
     uses,
+    whole_arm,
 )
 
 if TYPE_CHECKING:
@@ -64,6 +64,14 @@ class SolverModule:
     def branches(self) -> tuple[str, ...]:
         """The name of every row."""
         return branch_labels(tuple(axis.meaning for axis in self.solver.axes))
+
+    @property
+    def method(self) -> str:
+        """How it is solved: closed form, quartic, general 6R or numerical."""
+        kernel = whole_arm(self.solver)
+        if kernel is not None:
+            return kernel.method
+        return "quartic" if finds_roots(self.solver) else "closed form"
 
     @property
     def joint_types(self) -> str:
@@ -113,7 +121,8 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "has_turns": "R" in module.joint_types,
         "free_count": len(chain.free),
         "free_list": ", ".join(map(str, chain.free)),
-        "uses_general": general_kernel(module.solver) is not None,
+        "method": module.method,
+        "solves_whole": whole_arm(module.solver) is not None,
         "uses_circle": finds_roots(module.solver),
         "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
         "uses_wrap": any(uses(program, "wrap") for program in module.programs),

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import GeneralRoots, Guard, Heading, Let, Roots
+from dhgen.program.ir import AllJoints, Guard, Heading, Let, Roots
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Axis, Program
@@ -23,6 +23,7 @@ class Loop:
         place: Its number, from 0.
         is_sign: Whether it is a sign.
         names: The variables of one place, where there are several.
+        truths: The truth values of one place.
         body: What is done for each value.
     """
 
@@ -30,10 +31,11 @@ class Loop:
     place: int
     is_sign: bool
     names: tuple[str, ...]
+    truths: tuple[str, ...]
     body: tuple[Nested, ...]
 
 
-Nested = Let | Guard | Roots | GeneralRoots | Heading | Loop
+Nested = AllJoints | Let | Guard | Roots | Heading | Loop
 
 
 def nest(program: Program) -> tuple[Nested, ...]:
@@ -56,13 +58,16 @@ def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ..
                 shown = heading
             body.append(statement)
     if depth < len(program.axes):
-        sources = {s.axis: s for s in program.body if isinstance(s, Roots | GeneralRoots)}
+        sources = {s.axis: s for s in program.body if isinstance(s, Roots | AllJoints)}
         source = sources.get(depth)
-        names = source.names if isinstance(source, GeneralRoots) else ()
+        names: tuple[str, ...] = ()
+        truths: tuple[str, ...] = ()
+        if isinstance(source, AllJoints):
+            names, truths = source.names, (source.found, source.chosen)
         inner = _level(program, depth + 1, told)
-        body.append(Loop(program.axes[depth], depth, source is None, names, inner))
+        body.append(Loop(program.axes[depth], depth, source is None, names, truths, inner))
     return tuple(body)
 
 
-def _depth(statement: Let | Guard | Roots | GeneralRoots) -> int:
+def _depth(statement: Let | Guard | Roots | AllJoints) -> int:
     return max(statement.axes, default=-1) + 1

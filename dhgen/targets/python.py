@@ -5,23 +5,23 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import python_source
+from dhgen.general.emit import python_rows
+from dhgen.general.emit import python_source as general_source
+from dhgen.general.kernel import GeneralKernel
+from dhgen.numerical.emit import python_source as numerical_source
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.robot.robot import TaskKind
-from dhgen.targets.layout import WIDTH, listed, paragraph
+from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.python_language import Python
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
-from dhgen.targets.walk import general_kernel, uses
+from dhgen.targets.walk import uses, whole_arm
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
 
-INDENT = "    "
 SHARE = 2048  # poses that are worth a thread
 
 
@@ -50,7 +50,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "limit_pairs": [(repr(pair[0]), repr(pair[1])) if pair else none for pair in limits],
         "branches": module.branches,
         "constants": [line for each in constant_texts(module) for line in _constant(*each)],
-        "weights": _array("_WEIGHT = np.array", map(repr, module.weights)),
+        "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
         "free_tuple": f"({', '.join(map(str, module.chain.free))},)",
         "finite": " and ".join([*finite, *given]) or "True",
         "no_pose": _no_pose(module),
@@ -65,18 +65,25 @@ def _texts(module: SolverModule) -> dict[str, object]:
 def _bodies(module: SolverModule) -> dict[str, object]:
     """The programs as lines."""
     language = Python()
-    kernel = general_kernel(module.solver)
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": _entries(module.solver),
-        "general": "" if kernel is None else python_source(kernel, module.name),
+        "all_joints": _all_joints(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_cells": _cells(forward, 4),
         "jacobian": straight_lines(module.jacobian, language, INDENT),
         "jacobian_cells": _cells(jacobian, module.chain.dof),
     }
+
+
+def _all_joints(module: SolverModule) -> str:
+    """The function that solves all joints at once, where there is one."""
+    kernel = whole_arm(module.solver)
+    if isinstance(kernel, GeneralKernel):
+        return f"{general_source(kernel, module.name)}\n\n{python_rows(module.name)}"
+    return "" if kernel is None else numerical_source(kernel)
 
 
 def _entries(program: Program) -> str:
@@ -89,12 +96,6 @@ def _entries(program: Program) -> str:
 def _constant(name: str, value: str, comment: str) -> list[str]:
     line = f"{name} = {value}  # {comment}"
     return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", f"{name} = {value}"]
-
-
-def _array(head: str, entries: Iterable[str]) -> str:
-    texts = list(entries)
-    line = f"{head}([{', '.join(texts)}])"
-    return line if len(line) <= WIDTH else "\n".join([f"{head}([", *listed(texts, INDENT), "])"])
 
 
 def _cells(entries: list[str], columns: int) -> list[tuple[int, int, str]]:

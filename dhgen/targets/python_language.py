@@ -8,7 +8,7 @@ from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.scalar import output_texts, row_text
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import Axis, Program
+    from dhgen.program.ir import AllJoints, Axis, Program
     from dhgen.targets.nest import Loop
 
 _FUNCTIONS = {
@@ -92,15 +92,18 @@ class Python:
         """The roots of a polynomial as an array."""
         return [f"{axis.name}_roots = _circle_roots({', '.join(coefficients)})"]
 
-    def general_roots(self, axis: Axis) -> list[str]:
-        """All solutions of the general loop as a table."""
-        return [f"{axis.name}_roots = _general_roots(pose)"]
+    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
+        """All solutions as a table, with what is true of each."""
+        name = axis.name
+        given = "pose, q_free, seed" if statement.given else "pose, seed"
+        return [f"{name}_roots, {name}_found, {name}_chosen = _all_joints({given})"]
 
     def open_loop(self, loop: Loop) -> list[str]:
         """A loop over a sign or the roots of a polynomial."""
         index, name = f"i{loop.place + 1}", loop.axis.name
         value = f"1.0 - 2.0 * {index}" if loop.is_sign else f"{name}_roots[{index}]"
         values = {n: f"{name}_roots[{index}, {k}]" for k, n in enumerate(loop.names)}
+        values |= {truth: f"{name}_{truth}[{index}]" for truth in loop.truths}
         meaning, count = loop.axis.meaning, loop.axis.count
         words = ", ".join(meaning) if count <= MOST_WORDS else f"{meaning[0]} to {meaning[-1]}"
         return [

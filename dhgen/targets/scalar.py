@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from dhgen.program.ir import (
+    AllJoints,
     Apply,
     Failure,
-    GeneralRoots,
     Guard,
     Heading,
     Let,
@@ -48,8 +48,8 @@ class ScalarLanguage(Dialect, Protocol):
         """Finds the roots of a polynomial."""
         ...
 
-    def general_roots(self, axis: Axis) -> list[str]:
-        """Finds all solutions of the general loop."""
+    def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
+        """Finds all joints of all solutions at once."""
         ...
 
     def open_loop(self, loop: Loop) -> list[str]:
@@ -138,8 +138,8 @@ class _Printer:
                 texts = [expression_text(each, language) for each in coefficients]
                 lines = _indented(language.roots(self._program.axes[axis], texts), indent)
                 return [part for line in lines for part in wrapped(line, indent)]
-            case GeneralRoots(axis):
-                return _indented(language.general_roots(self._program.axes[axis]), indent)
+            case AllJoints(axis):
+                return _indented(language.all_joints(self._program.axes[axis], node), indent)
             case Guard():
                 return _indented(self._guard(node, depth), indent)
             case Loop(body=body):

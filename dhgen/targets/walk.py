@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, GeneralRoots, Guard, Joint, Let, Roots
+from dhgen.program.ir import AllJoints, Apply, Guard, Joint, Let, Roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.program.ir import Expression, NamedConstant, Program
 
 
@@ -38,7 +39,9 @@ def uses(program: Program, operator: str) -> bool:
 
 def reads(program: Program, role: str) -> bool:
     """Whether a program reads joint values of this role."""
-    return any(isinstance(e, Joint) and e.role == role for e in expressions(program))
+    whole = any(isinstance(s, AllJoints) for s in program.body)
+    read = any(isinstance(e, Joint) and e.role == role for e in expressions(program))
+    return read or (whole and role == "seed")
 
 
 def finds_roots(program: Program) -> bool:
@@ -46,9 +49,9 @@ def finds_roots(program: Program) -> bool:
     return any(isinstance(statement, Roots) for statement in program.body)
 
 
-def general_kernel(program: Program) -> GeneralKernel | None:
-    """The kernel of the general loop, where it is used."""
-    found = (s.kernel for s in program.body if isinstance(s, GeneralRoots))
+def whole_arm(program: Program) -> GeneralKernel | NumericalKernel | None:
+    """The kernel that solves all joints at once, where one does."""
+    found = (s.kernel for s in program.body if isinstance(s, AllJoints))
     return next(found, None)
 
 

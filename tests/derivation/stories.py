@@ -19,5 +19,5 @@ NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
 def story(name: str) -> Story:
     """A robot with its derivation and program."""
     robot = load(ROBOTS / f"{name}.yaml")
-    derivation = derive(build_chain(robot))
+    derivation = derive(build_chain(robot), numerical=robot.numerical)
     return Story(robot, derivation, lower(derivation))

@@ -44,7 +44,8 @@ def test_the_nearest_equations_are_named_by_their_place() -> None:
     lines = stuck(*["theta: q, a: 0.3"] * 3, task="[x, y]")
     assert lines[0] == "no order of equations makes every joint known: 1, 2, 3 stay unknown"
     assert "  theta1, theta12, theta123 in U0[1, 4], U0[2, 4]" in lines
-    assert lines[-1] == "  axes 1, 2, 3 are parallel"
+    assert lines[-2] == "  axes 1, 2, 3 are parallel"
+    assert lines[-1].startswith("--numerical would give")
 
 
 def test_a_wrist_that_nearly_meets() -> None:

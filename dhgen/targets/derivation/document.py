@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.general.kernel import GeneralKernel
 from dhgen.targets.derivation.closing_sections import (
     cost_section,
     singular_section,
     solutions_section,
 )
-from dhgen.targets.derivation.forward_section import forward_section
+from dhgen.targets.derivation.forward_section import forward_in_short, forward_section
 from dhgen.targets.derivation.general_section import general_section
 from dhgen.targets.derivation.inverse_section import inverse_beginning
 from dhgen.targets.derivation.joints_section import joint_values
+from dhgen.targets.derivation.numerical_section import numerical_section
 from dhgen.targets.derivation.robot_section import opening, robot_section
 from dhgen.targets.derivation.steps import step_blocks
 
@@ -24,10 +26,12 @@ if TYPE_CHECKING:
 
 def document_blocks(story: Story) -> list[Block]:
     """The whole derivation."""
-    general = story.derivation.general
-    if general is not None:
-        beginning = [*opening(story), *robot_section(story), *forward_section(story)]
-        return [*beginning, *general_section(general)]
+    whole = story.derivation.whole
+    if whole is not None:
+        beginning = [*opening(story), *robot_section(story)]
+        if isinstance(whole, GeneralKernel):
+            return [*beginning, *forward_section(story), *general_section(whole)]
+        return [*beginning, *forward_in_short(story), *numerical_section(whole)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [
         *opening(story),

@@ -18,7 +18,7 @@ from dhgen.targets.derivation.formula import (
     equal,
     times,
 )
-from dhgen.targets.derivation.jacobian import jacobian_blocks
+from dhgen.targets.derivation.jacobian import jacobian_blocks, jacobian_columns
 from dhgen.targets.derivation.lines import WIDTH, width
 from dhgen.targets.derivation.matrices import forward_of, link_matrix
 from dhgen.targets.derivation.names import forward_matrix, link, product_of
@@ -44,6 +44,23 @@ def forward_section(story: Story) -> list[Block]:
     blocks += _tool(story)
     blocks += _relations(story)
     return blocks + jacobian_blocks(story)
+
+
+def forward_in_short(story: Story) -> list[Block]:
+    """Without the products, where no step of a derivation stands on them."""
+    chain = story.algebra.chain
+    factors: list[Formula] = [link(i) for i in range(1, story.dof + 1)]
+    blocks: list[Block] = [Heading(2, say("Forward")), *_links(story)]
+    still, given = identity(chain.ring), []
+    if chain.base != still:
+        factors.insert(0, BASE)
+        given.append(equal(BASE, matrix_of(story.algebra.lift(chain.base), story.write_forward)))
+    if chain.tool != still:
+        factors.append(TOOL)
+        given.append(equal(TOOL, matrix_of(story.algebra.lift(chain.tool), story.write_forward)))
+    blocks.append(paragraph("The pose of the tool is their product:"))
+    blocks += [display(each) for each in (equal(T_BASE_TOOL, times(*factors)), *given)]
+    return blocks + jacobian_columns(story)
 
 
 def _links(story: Story) -> list[Block]:

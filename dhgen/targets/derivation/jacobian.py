@@ -24,9 +24,9 @@ _J = Symbol("J", "J")
 _TOOL_ORIGIN = Symbol("o_n", "oₙ")
 
 
-def jacobian_blocks(story: Story) -> list[Block]:
-    """The formula of a column, and the matrix when it is narrow enough."""
-    blocks: list[Block] = [
+def jacobian_columns(story: Story) -> list[Block]:
+    """The formula of a column."""
+    return [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
             "{} and its angular velocity. Its column {} is, for a revolute and a prismatic joint,",
@@ -34,6 +34,11 @@ def jacobian_blocks(story: Story) -> list[Block]:
         ),
         *_columns(story),
     ]
+
+
+def jacobian_blocks(story: Story) -> list[Block]:
+    """The formula of a column, and the matrix when it is narrow enough."""
+    blocks = jacobian_columns(story)
     matrix = Matrix(
         tuple(tuple(story.write_forward(entry) for entry in row) for row in _rows(story.algebra))
     )

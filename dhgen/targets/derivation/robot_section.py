@@ -74,6 +74,8 @@ def _task(story: Story) -> str:
 
 def _solutions(story: Story) -> str:
     rows = story.program.rows
+    if story.derivation.whole is not None and story.derivation.whole.method == "numerical":
+        return f"Solved numerically: {counted(rows, 'row')}."
     if rows == 1:
         return "Every pose within reach has one solution, row 0."
     count = counted(rows, "solution")

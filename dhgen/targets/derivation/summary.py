@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.refusal import missed_structure
 from dhgen.targets.derivation.names import unknown_symbol
 from dhgen.targets.derivation.plain import words
@@ -12,6 +13,7 @@ from dhgen.targets.derivation.style import PLAIN, show
 from dhgen.targets.derivation.words import counted
 
 if TYPE_CHECKING:
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
 
@@ -20,14 +22,8 @@ LONGEST = 62  # characters of an equation; the rest is in the derivation
 
 def summary_text(story: Story, singular: list[Singularity]) -> str:
     """A line for every step, then the branches and the singular places."""
-    if story.derivation.general is not None:
-        hidden = story.derivation.general.first.joints[0] + 1
-        lines = [
-            "no closed form: the general 6R algorithm, up to 16 solutions",
-            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on",
-            *missed_structure(story.algebra.chain),
-        ]
-        return "\n".join(lines) + "\n"
+    if story.derivation.whole is not None:
+        return "\n".join(_whole(story.derivation.whole, story)) + "\n"
     rows = [_step(story, number) for number in range(1, len(story.steps) + 1)]
     widths = [max(len(row[column]) for row in rows) for column in range(3)]
     lines = [
@@ -40,6 +36,21 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     if story.derivation.problem.redundant:
         lines.append("every pose is checked: the task asks for more than the arm can choose")
     return "\n".join(lines) + "\n"
+
+
+def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
+    """Of an arm that is solved as a whole."""
+    if isinstance(kernel, GeneralKernel):
+        hidden = kernel.first.joints[0] + 1
+        return [
+            "no closed form: the general 6R algorithm, up to 16 solutions",
+            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on",
+            *missed_structure(story.algebra.chain),
+        ]
+    if kernel.redundant:
+        return ["numerical, as asked for: the solution near to the seed, by damped least squares"]
+    found = "by damped least squares, as many as are found from evenly spread starts"
+    return [f"numerical, as asked for: up to {kernel.rows} solutions {found}; others may exist"]
 
 
 def _step(story: Story, number: int) -> tuple[str, str, str, str]:

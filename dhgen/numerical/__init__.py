@@ -1,0 +1,1 @@
+"""Arms that nothing else solves: damped least squares from many starts."""

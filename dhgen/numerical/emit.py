@@ -1,0 +1,122 @@
+"""What the templates of the numerical solver are filled in with: finished strings."""
+
+from __future__ import annotations
+
+from math import inf, pi
+from typing import TYPE_CHECKING
+
+from dhgen.numerical import kernel as constants
+from dhgen.numerical.miss import ANY_AXIS, ASIDE
+from dhgen.numerical.reference import TIE
+from dhgen.numerical.starts import directions
+from dhgen.targets.layout import c_array, python_array
+from dhgen.targets.templates import render
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.numerical.kernel import NumericalKernel
+
+
+Numbers = dict[str, tuple[str, ...]]
+
+
+def c_source(kernel: NumericalKernel, name: str) -> str:
+    """The static function `all_joints` in C99, with what it needs."""
+    count = len(kernel.solved)
+    arrays = {
+        key: c_array(f"static const {_type(key)} {key}[{count}]", values)
+        for key, values in _arrays(kernel, "INFINITY", ("0", "1")).items()
+    }
+    return render("c/numerical.c.jinja", name=name, arrays=arrays, **_texts(kernel))
+
+
+def _type(key: str) -> str:
+    return "int" if key in {"solved", "turning"} else "double"
+
+
+def python_source(kernel: NumericalKernel) -> str:
+    """The function `_all_joints` in Python, with what it needs."""
+    arrays = {
+        key: python_array(f"_{key.upper()} = np.array", values)
+        for key, values in _arrays(kernel, "math.inf", ("False", "True")).items()
+    }
+    return render("python/numerical.py.jinja", arrays=arrays, **_texts(kernel))
+
+
+def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> Numbers:
+    """A number for each joint that is solved for, as a language writes them."""
+    size, count = kernel.arm.chain.size, len(kernel.solved)
+    words = {inf: infinity, -inf: f"-{infinity}"}
+
+    def numbers(values: Iterable[float]) -> tuple[str, ...]:
+        return tuple(words.get(value, repr(value)) for value in values)
+
+    arrays = {
+        "solved": tuple(map(str, kernel.solved)),
+        "turning": tuple(truths[turns] for turns in kernel.turns),
+        "unit": numbers(kernel.units),
+        "span_low": numbers(low for low, _ in kernel.spans),
+        "span_width": numbers(high - low for low, high in kernel.spans),
+        "stride": numbers(directions(count)),
+        "no_lowest": numbers([-inf] * count),
+        "no_highest": numbers([inf] * count),
+    }
+    if kernel.position:
+        arrays["part"] = numbers(unit / size for unit in kernel.units)
+    if kernel.redundant:
+        arrays |= {"least_u": numbers(kernel.lowest), "most_u": numbers(kernel.highest)}
+    return arrays
+
+
+def _texts(kernel: NumericalKernel) -> dict[str, object]:
+    """Counts, finished strings and choices."""
+    chain = kernel.arm.chain
+    dof = chain.dof
+    numbers = {
+        "solved": len(kernel.solved),
+        "equations": kernel.equations,
+        "last_equation": kernel.equations - 1,
+        "jacobian_size": 6 * dof,
+        "spin": 3 * dof,
+        "twice": 2 * dof,
+        "given": [joint - 1 for joint in chain.free],
+        "given_count": len(chain.free),
+        "position": [
+            (entry, row, 4 * row + 3, dof * row) for entry, row in enumerate(kernel.position)
+        ],
+        "first_turn": len(kernel.position),
+        "turns": kernel.turning or kernel.pointing,
+        "turning": kernel.turning,
+        "pointing": kernel.pointing,
+        "redundant": kernel.redundant,
+        "size": repr(chain.size),
+        "residual": repr(kernel.residual),
+        **_method(kernel),
+    }
+    return {"n": numbers, "dof": dof, "rows": kernel.rows}
+
+
+def _method(kernel: NumericalKernel) -> dict[str, object]:
+    starts = constants.REDUNDANT_STARTS if kernel.redundant else constants.STARTS
+    return {
+        "aside": repr(ASIDE),
+        "any_turn": [repr(pi * part) for part in ANY_AXIS],
+        "damping": repr(constants.DAMPING),
+        "floor": repr(constants.FLOOR),
+        "longest": repr(constants.LONGEST),
+        "steps": constants.STEPS,
+        "solution": repr(constants.RESIDUAL),
+        "pull": repr(constants.PULL),
+        "pulled": constants.PULLED,
+        "settled": repr(constants.SETTLED),
+        "starts": starts,
+        "most_starts": constants.STARTS * constants.ROUNDS,
+        "singular": repr(constants.SINGULAR),
+        "feeler": repr(constants.FEELER),
+        "felt": repr(constants.FELT),
+        "together": repr(constants.TOGETHER),
+        "same": repr(constants.SAME),
+        "tie": repr(TIE),
+        "turn": repr(2 * pi),
+    }

@@ -1,0 +1,120 @@
+"""What the numerical solver knows of an arm and its task, and every constant of the method."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, pi
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.problem import task_dimension
+from dhgen.program.tolerances import TOLERANCES
+from dhgen.robot.robot import JointKind, TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.numeric import NumericArm
+
+MOST = 16  # rows of an arm with finitely many solutions: what a general arm has at most
+# Damping over the square of the miss (the Gauss-Newton step itself near a solution), and what is
+# always added, so that a singular arm has a step: below the square of what counts as singular.
+DAMPING = 0.1
+FLOOR = 1e-13
+LONGEST = 2.0  # of a step's components [rad, arm sizes]
+STEPS = 40  # from a start; 7 to 16 are usual
+RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
+SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
+TOGETHER = 1e-3  # singular solutions, known less well, closer than this are one
+STARTS = 48  # in a round; the search ends with the first round that finds nothing new
+ROUNDS = 8
+REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
+# Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
+PULL = 0.5
+PULLED = 60
+SETTLED = 1e-9  # a step shorter than this ends the pull
+SINGULAR = 1e-4  # what is left of a generic direction when all that moves the tool is taken away
+FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
+FELT = 2e-3  # and how far from where it began a solution must then be
+
+
+@dataclass(frozen=True, slots=True)
+class NumericalKernel:
+    """An arm and its task in numbers.
+
+    Attributes:
+        arm: The forward model.
+        solved: Places, from 0, of the joints that are not given.
+        turns: Whether each of them turns.
+        units: What a step of one means for each: 1 rad, or the arm's size.
+        lowest: The lowest value of each, in units; minus infinity without limits.
+        highest: The highest.
+        position: Rows of the translation that the task names.
+        turning: Whether it names the rotation.
+        pointing: Whether it names the tool's z axis only.
+        redundant: Whether every pose has infinitely many solutions.
+        residual: What counts as a solution [arm sizes, rad].
+    """
+
+    arm: NumericArm
+    solved: tuple[int, ...]
+    turns: tuple[bool, ...]
+    units: tuple[float, ...]
+    lowest: tuple[float, ...]
+    highest: tuple[float, ...]
+    position: tuple[int, ...]
+    turning: bool
+    pointing: bool
+    redundant: bool
+    residual: float
+
+    @property
+    def method(self) -> str:
+        """What the method is called."""
+        return "numerical"
+
+    @property
+    def rows(self) -> int:
+        """How many solutions are kept: of infinitely many the one nearest to the seed."""
+        return 1 if self.redundant else MOST
+
+    @property
+    def equations(self) -> int:
+        """How many numbers tell by how much a pose is missed."""
+        return len(self.position) + (3 if self.turning or self.pointing else 0)
+
+    @property
+    def spans(self) -> tuple[tuple[float, float], ...]:
+        """Where starts lie, for each joint that is solved for [units]: a turn, or the limits."""
+        wide = [pi if turns else 1.0 for turns in self.turns]
+        return tuple(
+            (low if low > -inf else -w, high if high < inf else w)
+            for low, high, w in zip(self.lowest, self.highest, wide, strict=True)
+        )
+
+
+def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
+    """The kernel of any arm and task."""
+    joints = [joint for joint in chain.joints if joint.number not in chain.free]
+    turns = [joint.kind is JointKind.REVOLUTE for joint in joints]
+    units = [1.0 if each else chain.size for each in turns]
+    limits = [joint.limits or (-inf, inf) for joint in joints]
+    task = chain.task
+    position: tuple[int, ...] = (0, 1, 2)
+    if task.kind is TaskKind.ORIENTATION:
+        position = ()
+    elif task.kind is TaskKind.COORDINATES:
+        position = tuple("xyz".index(name) for name in task.coordinates)
+    checked = len(joints) < task_dimension(task)
+    return NumericalKernel(
+        arm=numeric_arm(chain),
+        solved=tuple(joint.number - 1 for joint in joints),
+        turns=tuple(turns),
+        units=tuple(units),
+        lowest=tuple(low / unit for (low, _), unit in zip(limits, units, strict=True)),
+        highest=tuple(high / unit for (_, high), unit in zip(limits, units, strict=True)),
+        position=position,
+        turning=task.kind in {TaskKind.POSE, TaskKind.ORIENTATION},
+        pointing=task.kind is TaskKind.POINTING,
+        redundant=redundant,
+        residual=TOLERANCES.consistent if checked else RESIDUAL,
+    )

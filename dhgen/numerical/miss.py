@@ -1,0 +1,62 @@
+"""By how much joint values miss a pose, and how that changes with them: the analytic Jacobian.
+
+Everything is batched: q (N, n), poses (N, 4, 4).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.numerical.kernel import NumericalKernel
+
+    FloatArray = NDArray[np.float64]
+
+ASIDE = 1e-9  # a sine below this gives no axis to turn about
+ANY_AXIS = (0.48, 0.6, 0.64)  # is taken then, where half a turn is missing
+
+
+def miss(
+    kernel: NumericalKernel, T: FloatArray, q: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """The missing motion of the tool, and how each solved joint moves it, in units.
+
+    Args:
+        kernel: The arm.
+        T: The pose wanted, (4, 4).
+        q: Joint values, (N, n).
+
+    Returns:
+        The miss (N, m) [arm sizes, rad], its length (N,), and the matrix A (N, m, k).
+    """
+    size = kernel.arm.chain.size
+    P, J = kernel.arm.pose(q), kernel.arm.jacobian(q)[..., list(kernel.solved)]
+    units = np.array(kernel.units)
+    rows = list(kernel.position)
+    parts = [(T[:3, 3] - P[:, :3, 3])[:, rows] / size]
+    matrices = [J[:, rows] * (units / size)]
+    if kernel.turning:
+        R = T[:3, :3] @ np.swapaxes(P[:, :3, :3], 1, 2)
+        skew = [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]]
+        parts.append(_turn(np.stack(skew, axis=-1) / 2, (np.trace(R, axis1=1, axis2=2) - 1) / 2))
+        matrices.append(J[:, 3:])
+    if kernel.pointing:
+        z, wanted = P[:, :3, 2], T[:3, 2]
+        parts.append(_turn(np.cross(z, wanted), z @ wanted))
+        # turning about z itself changes nothing
+        matrices.append(J[:, 3:] - z[:, :, None] * (z[:, None, :] @ J[:, 3:]))
+    e = np.concatenate(parts, axis=-1)
+    return e, np.linalg.norm(e, axis=-1), np.concatenate(matrices, axis=-2)
+
+
+def _turn(axis: FloatArray, cosine: FloatArray) -> FloatArray:
+    """The rotation vector of an axis times the sine, and the cosine."""
+    sine = np.linalg.norm(axis, axis=-1)
+    opposite = (sine < ASIDE) & (cosine < 0.0)
+    safe = np.where(sine < ASIDE, 1.0, sine)
+    turned = axis * np.where(sine < ASIDE, 1.0, np.arctan2(sine, cosine) / safe)[:, None]
+    return np.where(opposite[:, None], np.pi * np.array(ANY_AXIS), turned)

@@ -1,0 +1,250 @@
+"""The numerical solver in NumPy: its meaning, in the clearest form.
+
+Damped least squares (C. W. Wampler, 1986; the damping after T. Sugihara, 2011: a part of the
+squared miss) from starts that fill the joint space evenly. It finds what it finds: there is no
+certificate that there are no other solutions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cmp_to_key
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.numerical import kernel as constants
+from dhgen.numerical.miss import miss
+from dhgen.numerical.starts import directions
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.numerical.kernel import NumericalKernel
+
+    FloatArray = NDArray[np.float64]
+    Limits = tuple[FloatArray, FloatArray]
+
+
+TIE = 1e-9  # values closer than this don't decide which of two solutions comes first
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The solutions of one pose.
+
+    Attributes:
+        q: (k, n), sorted by the first joint, then the second ...; angles in (-pi, pi].
+        chosen: Whether a joint was indeterminate and went towards the seed, (k,).
+    """
+
+    q: FloatArray
+    chosen: NDArray[np.bool_]
+
+
+def solve(T: FloatArray, seed: FloatArray, free: FloatArray, kernel: NumericalKernel) -> Found:
+    """The solutions found for a pose.
+
+    Args:
+        T: Pose (4, 4); entries that the task does not name are ignored.
+        seed: Joint values (n,): the first start, and where indeterminate joints go.
+        free: Values of the free joints, in their order.
+        kernel: The arm.
+    """
+    arm = _Arm(kernel, T, seed, free)
+    return arm.nearest() if kernel.redundant else arm.all()
+
+
+@dataclass(frozen=True, slots=True)
+class _Kept:
+    """A solution in units, whether the arm is singular there, and whether it was pulled."""
+
+    u: FloatArray
+    singular: bool
+    chosen: bool
+
+
+class _Arm:
+    """An arm before a pose; u are the values of the joints solved for, in units."""
+
+    def __init__(
+        self, kernel: NumericalKernel, T: FloatArray, seed: FloatArray, free: FloatArray
+    ) -> None:
+        self.kernel, self.T = kernel, T
+        self.solved: list[int] = list(kernel.solved)
+        self.units: FloatArray = np.array(kernel.units)
+        self.turns = np.array(kernel.turns)
+        self.q = np.array(seed, dtype=float)
+        given = [j - 1 for j in kernel.arm.chain.free]
+        self.q[given] = free
+        self.seed = self.q[self.solved] / self.units
+        spans: FloatArray = np.array(kernel.spans)
+        self.low, self.width = spans[:, 0], spans[:, 1] - spans[:, 0]
+        self.directions = np.array(directions(len(self.solved)))
+
+    def joints(self, u: FloatArray) -> FloatArray:
+        """All joint values (N, n)."""
+        q = np.repeat(self.q[None], len(u), axis=0)
+        q[:, self.solved] = u * self.units
+        return q
+
+    def starts(self, first: int, count: int) -> FloatArray:
+        """The starts numbered first, first + 1 ...; number 0 is the seed."""
+        numbers = np.arange(first, first + count)[:, None]
+        part: FloatArray = np.mod(0.5 + numbers * self.directions, 1.0)
+        u = self.low + self.width * part
+        return np.asarray(np.where(numbers == 0, self.seed, u))
+
+    def miss(self, u: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        return miss(self.kernel, self.T, self.joints(u))
+
+    def all(self) -> Found:
+        """The distinct solutions, until a round of starts finds nothing new."""
+        kept: list[_Kept] = []
+        for number in range(constants.ROUNDS):
+            u, length = self.descend(self.starts(number * constants.STARTS, constants.STARTS))
+            known = len(kept)
+            for row in u[length <= self.kernel.residual]:
+                self._keep(row, kept)
+            if len(kept) in {known, constants.MOST}:
+                break
+        q = self.joints(np.array([each.u for each in kept]).reshape(-1, len(self.solved)))
+        rows = [(row, each.chosen) for row, each in zip(q, kept, strict=True)]
+        rows.sort(key=cmp_to_key(_order))
+        chosen = np.array([each for _, each in rows], dtype=bool)
+        return Found(np.array([row for row, _ in rows]).reshape(q.shape), chosen)
+
+    def _keep(self, u: FloatArray, kept: list[_Kept]) -> None:
+        """A solution joins those found before, unless it is one of them."""
+        singular, chosen = False, False
+        if self._known(u, kept, singular=False):
+            return
+        sideways = self.sideways(u, self.directions)
+        if np.linalg.norm(sideways) > constants.SINGULAR:
+            singular = True
+            chosen = self.continues(u, sideways / np.linalg.norm(sideways))
+            if chosen:
+                u = self.pulled(u)
+        u = self.wrapped(u)
+        if len(kept) < constants.MOST and not self._known(u, kept, singular=singular):
+            kept.append(_Kept(u, singular, chosen))
+
+    def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> bool:
+        for each in kept:
+            loose = singular and each.singular
+            gap = float(np.abs(self.wrapped(u - each.u)).max())
+            if gap < (constants.TOGETHER if loose else constants.SAME):
+                return True
+        return False
+
+    def wrapped(self, u: FloatArray) -> FloatArray:
+        """Angles moved by whole turns into (-pi, pi]."""
+        return np.asarray(np.where(self.turns, u - 2 * np.pi * np.ceil(u / (2 * np.pi) - 0.5), u))
+
+    def descend(self, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Where starts (N, k) lead, and by how much that misses the pose (N,)."""
+        best, least = u, np.full(len(u), np.inf)
+        running = np.ones(len(u), dtype=bool)
+        for _ in range(constants.STEPS + 1):
+            e, length, A = self.miss(u)
+            stalled = (length >= 0.5 * least) & (least <= constants.RESIDUAL)
+            better = running & (length < least)
+            best, least = np.where(better[:, None], u, best), np.where(better, length, least)
+            running &= ~stalled
+            if not running.any():
+                break
+            u = np.where(running[:, None], u + _shortened(_step(e, length, A)), u)
+        return best, least
+
+    def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
+        """The part of a direction that leaves the tool where it is, to first order."""
+        _, _, A = self.miss(u[None])
+        moved = A @ direction
+        return np.asarray(direction - _step(moved, np.zeros(1), A)[0])
+
+    def continues(self, u: FloatArray, sideways: FloatArray) -> bool:
+        """Whether solutions lie to both sides along a direction: u is one of a continuum."""
+        feelers = np.array([u + constants.FEELER * sideways, u - constants.FEELER * sideways])
+        ends, length = self.descend(feelers)
+        apart = np.abs(ends - u).max(axis=1)
+        return bool(((length <= self.kernel.residual) & (apart > constants.FELT)).all())
+
+    def pulled(self, u: FloatArray) -> FloatArray:
+        """The solution of the same continuum that is near to the seed, limits aside."""
+        unlimited = np.full(len(u), np.inf)
+        end, length = self._pull(u, (-unlimited, unlimited))
+        return end if length <= self.kernel.residual else u
+
+    def nearest(self) -> Found:
+        """Of infinitely many solutions one near to the seed, inside the limits if possible."""
+        k = self.kernel
+        unlimited = np.full(len(self.solved), np.inf)
+        for limits in ((np.array(k.lowest), np.array(k.highest)), (-unlimited, unlimited)):
+            best, least = None, np.inf
+            for start in self.starts(0, constants.REDUNDANT_STARTS):
+                u, length = self._pull(np.clip(start, *limits), limits)
+                distance = float(np.sum((u - self.seed) ** 2))
+                if length <= k.residual and distance < least:
+                    best, least = u, distance
+            if best is not None:
+                return Found(self.joints(self.wrapped(best)[None]), np.zeros(1, dtype=bool))
+        return Found(np.empty((0, len(self.q))), np.zeros(0, dtype=bool))
+
+    def _pull(self, u: FloatArray, limits: Limits) -> tuple[FloatArray, float]:
+        """A solution on the way from u to the seed: constrained Gauss-Newton, limits by locking."""
+        pull, least, best = constants.PULL, np.inf, u
+        for number in range(constants.PULLED + constants.STEPS):
+            e, length, A = self.miss(u[None])
+            if pull == 0.0:
+                if length[0] >= 0.5 * least and least <= constants.RESIDUAL:
+                    break
+                if length[0] < least:
+                    best, least = u, float(length[0])
+            step = self._limited(u, pull * (self.seed - u), (e, length, A), limits)
+            u = u + step
+            if number + 1 >= constants.PULLED or np.abs(step).max() < constants.SETTLED:
+                pull = 0.0
+        return best, least
+
+    def _limited(
+        self,
+        u: FloatArray,
+        pull: FloatArray,
+        missing: tuple[FloatArray, FloatArray, FloatArray],
+        limits: Limits,
+    ) -> FloatArray:
+        """A step; joints that it would take beyond a limit are put there, and locked."""
+        e, length, A = missing[0], missing[1], missing[2].copy()
+        low, high = limits
+        pull, fixed = pull.copy(), np.zeros(len(u))
+        locked = np.zeros(len(u), dtype=bool)
+        while True:
+            step = _shortened((pull + _step(e - A @ pull, length, A)[0])[None])[0] + fixed
+            beyond = ~locked & ((u + step < low) | (u + step > high))
+            if not beyond.any():
+                return np.asarray(step)
+            fixed = np.where(beyond, np.clip(u + step, low, high) - u, fixed)
+            e = e - (A @ np.where(beyond, fixed, 0.0))
+            locked |= beyond
+            A[:, :, beyond] = 0.0
+            pull[beyond] = 0.0
+
+
+def _step(e: FloatArray, length: FloatArray, A: FloatArray) -> FloatArray:
+    """The damped least squares step, A' (A A' + damping)^-1 e."""
+    damping = constants.DAMPING * np.minimum(length**2, 1.0) + constants.FLOOR
+    across = np.swapaxes(A, 1, 2)
+    G = A @ across + damping[:, None, None] * np.eye(A.shape[1])
+    return np.asarray((across @ np.linalg.solve(G, e[..., None]))[..., 0])
+
+
+def _shortened(steps: FloatArray) -> FloatArray:
+    longest = np.abs(steps).max(axis=-1, initial=constants.LONGEST)
+    return np.asarray(steps * (constants.LONGEST / longest)[:, None])
+
+
+def _order(first: tuple[FloatArray, bool], second: tuple[FloatArray, bool]) -> int:
+    """Negative when the joint values of the first row stand before those of the second."""
+    gaps = first[0] - second[0]
+    apart = np.flatnonzero(np.abs(gaps) > TIE)
+    return 0 if not len(apart) else int(np.sign(gaps[apart[0]]))

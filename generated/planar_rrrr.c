@@ -1,0 +1,435 @@
+/* planar_rrrr: Planar arm with four links, one joint too many twice over
+ *
+ * Inverse kinematics, generated from robots/planar_rrrr.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/planar_rrrr.yaml. The formulas and where they come from:
+ * planar_rrrr.md.
+ */
+#include "planar_rrrr.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+static const double a = 0.25; /* link length 1 [m] */
+
+const char *const planar_rrrr_branches[1] = {
+    "nearest",
+};
+
+static const double lowest[4] = {
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+};
+static const double highest[4] = {
+    2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
+};
+
+void planar_rrrr_fk(const double q[4], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - x3_y * s4;
+    const double T21_ = x3_y * c4 + x3_x * s4;
+    const double T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_;
+    const double T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
+    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
+    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
+    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void planar_rrrr_jacobian(const double q[4], double J[24])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a;
+    const double p1_y = s1 * a;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + a * x2_x;
+    const double p2_y = p1_y + a * x2_y;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double x3_y = x2_y * c3 + x2_x * s3;
+    const double p3_x = p2_x + a * x3_x;
+    const double p3_y = p2_y + a * x3_y;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4);
+    const double p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
+    const double J22 = J21 - p1_x;
+    const double J12 = p1_y - p4_y;
+    const double J23 = J21 - p2_x;
+    const double J13 = p2_y - p4_y;
+    const double J24 = J21 - p3_x;
+    const double J14 = p3_y - p4_y;
+    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
+    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
+    J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = 0.0;
+    J[16] = 0.0; J[17] = 0.0; J[18] = 0.0; J[19] = 0.0;
+    J[20] = 1.0; J[21] = 1.0; J[22] = 1.0; J[23] = 1.0;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7])))
+        return 0;
+    return 1;
+}
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size; between which values starts lie, and what is added
+ * from start to start. */
+static const int solved[4] = { 0, 1, 2, 3 };
+static const int turning[4] = { 1, 1, 1, 1 };
+static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
+static const double part[4] = { 1.0, 1.0, 1.0, 1.0 };
+static const double span_low[4] = {
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+};
+static const double span_width[4] = {
+    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
+};
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
+static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct descent {
+    const double *T;
+    double q[4], seed[4]; /* all joint values; the seed in units */
+    double e[2], length; /* the miss [arm sizes, rad], and its length */
+    double A[2][4]; /* how u moves the tool */
+};
+
+/* By how much u misses the pose, and the analytic Jacobian of that. */
+static void look(struct descent *d, const double u[4])
+{
+    double P[16], J[24], square = 0.0;
+    for (int j = 0; j < 4; j++)
+        d->q[solved[j]] = unit[j] * u[j];
+    planar_rrrr_fk(d->q, P);
+    planar_rrrr_jacobian(d->q, J);
+    d->e[0] = (d->T[3] - P[3]) / 1.0;
+    for (int j = 0; j < 4; j++)
+        d->A[0][j] = part[j] * J[0 + solved[j]];
+    d->e[1] = (d->T[7] - P[7]) / 1.0;
+    for (int j = 0; j < 4; j++)
+        d->A[1][j] = part[j] * J[4 + solved[j]];
+    for (int i = 0; i < 2; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. */
+static void damped_step(
+    const struct descent *d, const double e[2], double length, double step[4])
+{
+    double L[2][2], y[2];
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    for (int i = 0; i < 2; i++) {
+        y[i] = e[i];
+        for (int j = 0; j <= i; j++) {
+            double sum = i == j ? damping : 0.0;
+            for (int k = 0; k < 4; k++)
+                sum += d->A[i][k] * d->A[j][k];
+            for (int k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        }
+        for (int k = 0; k < i; k++)
+            y[i] -= L[i][k] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int i = 2 - 1; i >= 0; i--) {
+        for (int k = i + 1; k < 2; k++)
+            y[i] -= L[k][i] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int j = 0; j < 4; j++) {
+        step[j] = 0.0;
+        for (int i = 0; i < 2; i++)
+            step[j] += d->A[i][j] * y[i];
+    }
+}
+
+/* Makes a step no longer than it may be. */
+static void shorten(double step[4])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 4; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 4; j++)
+        step[j] *= 2.0 / longest;
+}
+
+static void copy(const double from[4], double to[4])
+{
+    for (int j = 0; j < 4; j++)
+        to[j] = from[j];
+}
+
+/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
+static void limited_step(
+    struct descent *d, const double u[4], double pull, const double low[4],
+    const double high[4], double step[4])
+{
+    double e[2], wish[4], fixed[4];
+    int locked[4], beyond = 1;
+    for (int j = 0; j < 4; j++) {
+        wish[j] = pull * (d->seed[j] - u[j]);
+        locked[j] = 0;
+    }
+    while (beyond) {
+        beyond = 0;
+        for (int i = 0; i < 2; i++) {
+            e[i] = d->e[i];
+            for (int j = 0; j < 4; j++)
+                e[i] -= d->A[i][j] * wish[j];
+        }
+        damped_step(d, e, d->length, step);
+        for (int j = 0; j < 4; j++)
+            step[j] += wish[j];
+        shorten(step);
+        for (int j = 0; j < 4; j++) {
+            const double end = u[j] + step[j];
+            if (locked[j]) {
+                step[j] = fixed[j];
+            } else if (end < low[j] || end > high[j]) {
+                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
+                beyond = locked[j] = 1;
+                wish[j] = 0.0;
+                for (int i = 0; i < 2; i++) {
+                    d->e[i] -= d->A[i][j] * fixed[j];
+                    d->A[i][j] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
+static double pulled(
+    struct descent *d, double u[4], const double low[4],
+    const double high[4])
+{
+    double least = HUGE_VAL, pull = 0.5, best[4], step[4];
+    for (int k = 1; k <= 60 + 40; k++) {
+        look(d, u);
+        if (pull == 0.0) {
+            if (d->length >= 0.5 * least && least <= 1e-10)
+                break;
+            if (d->length < least) {
+                least = d->length;
+                copy(u, best);
+            }
+        }
+        limited_step(d, u, pull, low, high, step);
+        double longest = 0.0;
+        for (int j = 0; j < 4; j++) {
+            longest = fmax(longest, fabs(step[j]));
+            u[j] += step[j];
+        }
+        if (k >= 60 || longest < 1e-09)
+            pull = 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
+}
+
+static const double least_u[4] = {
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+};
+static const double most_u[4] = {
+    2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
+};
+
+/* Of infinitely many solutions one near to the seed; whether there is one. */
+static int nearest_solution(
+    struct descent *d, const double low[4], const double high[4],
+    double best[4])
+{
+    double least = HUGE_VAL, u[4];
+    for (int k = 0; k < 24; k++) {
+        start_of(d, k, u);
+        for (int j = 0; j < 4; j++)
+            u[j] = fmin(fmax(u[j], low[j]), high[j]);
+        if (pulled(d, u, low, high) > 1e-10)
+            continue;
+        double square = 0.0;
+        for (int j = 0; j < 4; j++)
+            square += (u[j] - d->seed[j]) * (u[j] - d->seed[j]);
+        if (square < least) {
+            least = square;
+            copy(u, best);
+        }
+    }
+    return least < HUGE_VAL;
+}
+
+/* The solutions that are found, sorted by the first joint, then by the second and so on. */
+static void all_joints(
+    const double T[16],
+    const double seed[4], double q[1][4], int found[1],
+    int chosen[1])
+{
+    struct descent d = { .T = T };
+    for (int j = 0; j < 4; j++)
+        d.seed[j] = seed[solved[j]] / unit[j];
+    double u[4] = { 0.0 };
+    found[0] = nearest_solution(&d, least_u, most_u, u)
+        || nearest_solution(&d, no_lowest, no_highest, u); /* beyond the limits */
+    chosen[0] = 0;
+    wrap_angles(u);
+    for (int i = 0; i < 4; i++)
+        q[0][i] = d.q[i];
+    for (int j = 0; j < 4; j++)
+        q[0][solved[j]] = unit[j] * u[j];
+}
+
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[4], double q[1][4], unsigned char status[1])
+{
+
+    /* all joints: damped least squares */
+    double solution_roots[1][4];
+    int solution_found[1], solution_chosen[1];
+    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+
+    for (int i1 = 0; i1 < 1; i1++) { /* nearest */
+        const double q1 = solution_roots[i1][0];
+        const double q2 = solution_roots[i1][1];
+        const double q3 = solution_roots[i1][2];
+        const double q4 = solution_roots[i1][3];
+        const int found = solution_found[i1];
+        const int chosen = solution_chosen[i1];
+        /* all joints: damped least squares */
+        if (!found) continue; /* out of reach */
+        const int row = i1;
+        q[row][0] = q1;
+        q[row][1] = q2;
+        q[row][2] = q3;
+        q[row][3] = q4;
+        status[row] = (chosen) ? PLANAR_RRRR_FREE_JOINT : PLANAR_RRRR_OK;
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int planar_rrrr_ik(
+    const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])
+{
+    static const double zeros[4] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    const int valid = read_pose(T, pose);
+    int count = 0;
+    for (int row = 0; row < 1; row++) {
+        status[row] = valid ? PLANAR_RRRR_UNREACHABLE : PLANAR_RRRR_INVALID_POSE;
+        for (int i = 0; i < 4; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -PLANAR_RRRR_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 1; row++) {
+        if (status[row] == PLANAR_RRRR_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 4; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = PLANAR_RRRR_OUT_OF_LIMITS;
+        }
+        count += status[row] != PLANAR_RRRR_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
+{
+    double all[1][4], least = HUGE_VAL;
+    unsigned char status[1];
+    int result = -PLANAR_RRRR_UNREACHABLE;
+    for (int i = 0; i < 4; i++)
+        q[i] = NAN;
+    if (planar_rrrr_ik(T, q_seed, all, status) < 0)
+        return -PLANAR_RRRR_INVALID_POSE;
+    for (int row = 0; row < 1; row++) {
+        double distance = 0.0;
+        if (status[row] == PLANAR_RRRR_OUT_OF_LIMITS && result < 0)
+            result = -PLANAR_RRRR_OUT_OF_LIMITS;
+        if (status[row] != PLANAR_RRRR_OK && status[row] != PLANAR_RRRR_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 4; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 4; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    for (size_t k = 0; k < n; k++)
+        (void)planar_rrrr_ik(T + 16 * k, NULL, (double (*)[4])(q + 4 * k), status + 1 * k);
+}

@@ -1,0 +1,69 @@
+/* planar_rrrr: Planar arm with four links, one joint too many twice over
+ *
+ * Inverse kinematics, generated from robots/planar_rrrr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/planar_rrrr.yaml. The formulas and where they come from:
+ * planar_rrrr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
+ * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.
+ */
+#ifndef PLANAR_RRRR_H
+#define PLANAR_RRRR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PLANAR_RRRR_METHOD "numerical"
+
+enum {
+    PLANAR_RRRR_DOF = 4, /* joints */
+    PLANAR_RRRR_ROWS = 1 /* branches */
+};
+
+/* What a row of planar_rrrr_ik holds. */
+enum {
+    /* joint values */
+    PLANAR_RRRR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PLANAR_RRRR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PLANAR_RRRR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PLANAR_RRRR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PLANAR_RRRR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const planar_rrrr_branches[1];
+
+/* The pose T of the joint values q. */
+void planar_rrrr_fk(const double q[4], double T[16]);
+
+/* The geometric Jacobian, 6 x 4 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void planar_rrrr_jacobian(const double q[4], double J[24]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RRRR_INVALID_POSE. */
+int planar_rrrr_ik(
+    const double T[16], const double *q_seed, double q[1][4], unsigned char status[1]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PLANAR_RRRR_OK or PLANAR_RRRR_FREE_JOINT, or, with NaN in q,
+ * minus PLANAR_RRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
+
+/* planar_rrrr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 1 x 4, status n x 1. */
+void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,550 @@
+"""planar_rrrr: Planar arm with four links, one joint too many twice over.
+
+Inverse kinematics, generated from robots/planar_rrrr.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/planar_rrrr.yaml. The formulas and where they come from:
+planar_rrrr.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of a pose, x =
+T[0, 3] and y = T[1, 3] counts; other entries are ignored.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "planar_rrrr"
+METHOD = "numerical"
+DOF = 4
+JOINT_TYPES = "RRRR"
+JOINT_LIMITS = (
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.0943951023931953, 2.0943951023931953),
+)
+BRANCHES = (
+    "nearest",
+)
+MAX_SOLUTIONS = 1
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a = 0.25  # link length 1 [m]
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (4,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 4 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - x2_y * s3
+    x3_y = x2_y * c3 + x2_x * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    T11_ = x3_x * c4 - x3_y * s4
+    T21_ = x3_y * c4 + x3_x * s4
+    T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_
+    T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_
+    T[0, 0] = T11_
+    T[0, 1] = -T21_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T11_
+    T[1, 3] = T24_
+    T[2, 2] = 1.0
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 4): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 4 joint values")
+    J = np.zeros((6, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a
+    p1_y = s1 * a
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    p2_x = p1_x + a * x2_x
+    p2_y = p1_y + a * x2_y
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - x2_y * s3
+    x3_y = x2_y * c3 + x2_x * s3
+    p3_x = p2_x + a * x3_x
+    p3_y = p2_y + a * x3_y
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    J21 = p3_x + a * (x3_x * c4 - x3_y * s4)
+    p4_y = p3_y + a * (x3_y * c4 + x3_x * s4)
+    J22 = J21 - p1_x
+    J12 = p1_y - p4_y
+    J23 = J21 - p2_x
+    J13 = p2_y - p4_y
+    J24 = J21 - p3_x
+    J14 = p3_y - p4_y
+    J[0, 0] = -p4_y
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[5, 0] = 1.0
+    J[5, 1] = 1.0
+    J[5, 2] = 1.0
+    J[5, 3] = 1.0
+    return J
+
+
+# The joints that are solved for, and whether they turn; what a step of one means, in rad or
+# lengths, and the same over the arm's size; between which values starts lie, and what is added
+# from start to start. Below, u are these joints in units.
+_SOLVED = np.array([0, 1, 2, 3])
+_TURNING = np.array([True, True, True, True])
+_UNIT = np.array([1.0, 1.0, 1.0, 1.0])
+_PART = np.array([1.0, 1.0, 1.0, 1.0])
+_SPAN_LOW = np.array([
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+])
+_SPAN_WIDTH = np.array([
+    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
+])
+_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+])
+_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
+
+
+@_jit
+def _look(T, q, u, e, A):
+    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
+    for j in range(4):
+        q[_SOLVED[j]] = _UNIT[j] * u[j]
+    P, J = fk(q), jacobian(q)
+    for j in range(4):
+        column = _SOLVED[j]
+        A[0, j] = _PART[j] * J[0, column]
+        A[1, j] = _PART[j] * J[1, column]
+    e[0] = (T[0, 3] - P[0, 3]) / 1.0
+    e[1] = (T[1, 3] - P[1, 3]) / 1.0
+    square = 0.0
+    for i in range(2):
+        square += e[i] * e[i]
+    return math.sqrt(square)
+
+
+@_jit
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e."""
+    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    L, y = np.zeros((2, 2)), np.empty(2)
+    for i in range(2):
+        y[i] = e[i]
+        for j in range(i + 1):
+            total = damping if i == j else 0.0
+            for k in range(4):
+                total += A[i, k] * A[j, k]
+            for k in range(j):
+                total -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
+        for k in range(i):
+            y[i] -= L[i, k] * y[k]
+        y[i] /= L[i, i]
+    for i in range(1, -1, -1):
+        for k in range(i + 1, 2):
+            y[i] -= L[k, i] * y[k]
+        y[i] /= L[i, i]
+    for j in range(4):
+        step[j] = 0.0
+        for i in range(2):
+            step[j] += A[i, j] * y[i]
+
+
+@_jit
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
+    for j in range(4):
+        longest = max(longest, abs(step[j]))
+    for j in range(4):
+        step[j] *= 2.0 / longest
+
+
+@_jit
+def _limited_step(A, e, length, wish, u, low, high, step):
+    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
+    fixed, locked = np.zeros(4), np.zeros(4, np.uint8)
+    rest = np.empty(2)
+    beyond = True
+    while beyond:
+        beyond = False
+        for i in range(2):
+            rest[i] = e[i]
+            for j in range(4):
+                rest[i] -= A[i, j] * wish[j]
+        _damped_step(A, rest, length, step)
+        for j in range(4):
+            step[j] += wish[j]
+        _shorten(step)
+        for j in range(4):
+            end = u[j] + step[j]
+            if locked[j]:
+                step[j] = fixed[j]
+            elif end < low[j] or end > high[j]:
+                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
+                beyond, locked[j], wish[j] = True, 1, 0.0
+                for i in range(2):
+                    e[i] -= A[i, j] * fixed[j]
+                    A[i, j] = 0.0
+
+
+@_jit
+def _pulled(T, q, u, near, low, high):
+    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
+    e, A = np.empty(2), np.empty((2, 4))
+    least, best, step, pull = math.inf, u.copy(), np.empty(4), 0.5
+    for k in range(1, 60 + 40 + 1):
+        length = _look(T, q, u, e, A)
+        if pull == 0.0:
+            if length >= 0.5 * least and least <= 1e-10:
+                break
+            if length < least:
+                least = length
+                best[:] = u
+        _limited_step(A, e, length, pull * (near - u), u, low, high, step)
+        longest = 0.0
+        for j in range(4):
+            longest = max(longest, abs(step[j]))
+            u[j] += step[j]
+        if k >= 60 or longest < 1e-09:
+            pull = 0.0
+    u[:] = best
+    return least
+
+
+@_jit
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(4):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_jit
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(4):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_jit
+def _nearest_solution(T, q, near, low, high, best):
+    """Of infinitely many solutions one near to the seed; whether there is one."""
+    least, u = math.inf, np.empty(4)
+    for k in range(24):
+        _start_of(k, near, u)
+        for j in range(4):
+            u[j] = min(max(u[j], low[j]), high[j])
+        if _pulled(T, q, u, near, low, high) > 1e-10:
+            continue
+        square = 0.0
+        for j in range(4):
+            square += (u[j] - near[j]) * (u[j] - near[j])
+        if square < least:
+            least = square
+            best[:] = u
+    return least < math.inf
+
+
+@_jit
+def _all_joints(pose, seed):
+    """The solutions that are found, which rows hold one, and where a joint was indeterminate."""
+    T, joints, near = np.zeros((3, 4)), np.zeros(4), np.empty(4)
+    for i in range(3):
+        for j in range(4):
+            T[i, j] = pose[4 * i + j]
+    for j in range(4):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    q = np.zeros((1, 4))
+    found, chosen = np.zeros(1, np.bool_), np.zeros(1, np.bool_)
+    u = np.zeros(4)
+    found[0] = _nearest_solution(T, joints, near, _LEAST_U, _MOST_U, u)
+    if not found[0]:
+        found[0] = _nearest_solution(T, joints, near, _NO_LOWEST, _NO_HIGHEST, u)
+    _wrap_angles(u)
+    for i in range(4):
+        q[0, i] = joints[i]
+    for j in range(4):
+        q[0, _SOLVED[j]] = _UNIT[j] * u[j]
+    return q, found, chosen
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    # all joints: damped least squares
+    solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
+
+    for i1 in range(1):  # nearest
+        q1 = solution_roots[i1, 0]
+        q2 = solution_roots[i1, 1]
+        q3 = solution_roots[i1, 2]
+        q4 = solution_roots[i1, 3]
+        found = solution_found[i1]
+        chosen = solution_chosen[i1]
+        # all joints: damped least squares
+        if not found:
+            continue  # out of reach
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        status[row] = FREE_JOINT if chosen else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Only the entries that count are looked at.
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py)
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(1):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(4):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(1):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(4):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (1, 4), NaN where there is no solution; float64.
+        status: Filled with what each row holds (1,); uint8.
+        q_seed: Values for joints that are indeterminate (4,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (1, 4) or status.shape != (1,):
+        raise ValueError("T, q and status must be (4, 4), (1, 4) and (1,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (4,):
+        raise ValueError("q_seed must be (4,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (1, 4) and status (1,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (4,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((1, 4)), np.empty(1, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(4):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(4):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (4,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (4,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 1) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite")
+    rows, status, q = rows[first:last], status[first:last], np.empty(4)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 1, 4) and status (N, 1).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 1, 4)), np.empty((len(T), 1), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

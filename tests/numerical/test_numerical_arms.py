@@ -1,0 +1,164 @@
+"""Arms that are solved numerically, from their files to C and Python."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.compiler import Compilation, compile_robot
+from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.targets.made import without_numba
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+HEAD = "name: {name}\nconvention: standard\n"
+SKEW = (
+    "{theta: q, d: 0.3, a: 0.2, alpha: 80 deg}",
+    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
+    "{theta: 0.3, d: q, a: 0.15, alpha: 70 deg, limits: [-0.5, 0.8]}",
+    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
+    "{theta: q, d: 0.15, a: 0.05, alpha: 50 deg, limits: [-3, 3]}",
+    "{theta: q + 0.2, d: 0.1, a: 0.02, alpha: 10 deg}",
+    "{theta: -q, d: 0.1, a: 0.02, alpha: 90 deg}",
+)
+LINK = "{theta: q, a: 0.3, limits: [-2, 2]}"
+ARMS = {
+    "pointing": ((SKEW[0], SKEW[1], *SKEW[3:6]), "task: pointing"),
+    "orientation": ((SKEW[0], SKEW[1], SKEW[3], SKEW[4]), "task: orientation"),
+    "seven": (SKEW, ""),
+    "planar": ((LINK,) * 4, "task: [x, y]"),
+    "given": ((SKEW[0], SKEW[1], *SKEW[3:7]), "task: pointing\nfree: [6]"),
+}
+FINITE = ("pointing",)
+REDUNDANT = tuple(name for name in ARMS if name not in FINITE and name != "given")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("numerical")
+
+
+@cache
+def made(name: str, folder: Path) -> Compilation:
+    rows, rest = ARMS[name]
+    path = folder / f"{name}.yaml"
+    joints = "\n".join(f"  - {row}" for row in rows)
+    path.write_text(f"{HEAD.format(name=name)}joints:\n{joints}\n{rest}\n", encoding="utf-8")
+    compilation = compile_robot(path, numerical=True)
+    for file, text in compilation.files.items():
+        (folder / file).write_text(text, encoding="utf-8")
+    return compilation
+
+
+@cache
+def in_c(name: str, folder: Path) -> CompiledSolver:
+    module = made(name, folder).module
+    source, free = folder / f"{name}.c", len(module.chain.free)
+    args = (name, module.chain.dof, module.solver.rows, free)
+    solver = compile_solver(source, folder, *args)
+    assert solver is not None
+    return solver
+
+
+def in_python(name: str, folder: Path) -> Any:
+    return without_numba(made(name, folder).files[f"{name}.py"], name)
+
+
+def joints(name: str, folder: Path, count: int) -> np.ndarray:
+    """Random joint values inside the limits."""
+    random = np.random.default_rng(5)
+    ranges = [j.limits or (-2.5, 2.5) for j in made(name, folder).module.chain.joints]
+    return np.array([[random.uniform(*pair) for pair in ranges] for _ in range(count)])
+
+
+def miss(name: str, rows: np.ndarray, T: np.ndarray, solver: CompiledSolver) -> float:
+    """By how much rows miss what the task names, by the emitted forward model."""
+    reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in rows]) - T
+    entries = {
+        "pointing": (slice(0, 3), slice(2, 4)),
+        "given": (slice(0, 3), slice(2, 4)),
+        "orientation": (slice(0, 3), slice(0, 3)),
+        "planar": (slice(0, 2), slice(3, 4)),
+    }.get(name, (slice(0, 3), slice(0, 4)))
+    return float(np.abs(reached[(slice(None), *entries)]).max(initial=0.0))
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_method_is_said(name: str, folder: Path) -> None:
+    files = made(name, folder).files
+    assert 'METHOD = "numerical"' in files[f"{name}.py"]
+    assert f'#define {name.upper()}_METHOD "numerical"' in files[f"{name}.h"]
+    assert "no proof that a solution which is not found does not exist" in files[f"{name}.md"]
+
+
+@pytest.mark.parametrize("name", REDUNDANT)
+def test_redundant_arms_stay_near_the_seed(name: str, folder: Path) -> None:
+    solver, random = in_c(name, folder), np.random.default_rng(1)
+    weights = np.array(made(name, folder).module.weights)
+    for q in joints(name, folder, 40):
+        T = solver.fk(q)
+        low, high = np.array(
+            [j.limits or (-9, 9) for j in made(name, folder).module.chain.joints]
+        ).T
+        seed = np.clip(q + 0.2 * random.normal(size=len(q)), low, high)
+        rows, status = solver.ik(T, seed)
+        assert status.tolist() == [0]
+        assert miss(name, rows, T, solver) < 1e-9
+        nearest = solver.nearest(T, seed)
+        # the generating joints are one of the solutions; there may be nearer ones
+        distances = [np.sqrt(weights @ (each - seed) ** 2) for each in (nearest, q)]
+        assert distances[0] <= 1.01 * distances[1]
+        np.testing.assert_allclose(solver.nearest(T, q), q, atol=1e-7)
+
+
+def test_limits_of_redundant_arms(folder: Path) -> None:
+    """From a seed beyond what the limits allow, the solution is still inside them."""
+    solver = in_c("planar", folder)
+    T = solver.fk(np.array([1.9, -1.9, 1.9, 0.3]))
+    for seed in np.random.default_rng(3).uniform(-2.0, 2.0, (30, 4)):
+        q = solver.nearest(T, seed)
+        assert np.abs(q).max() <= 2.0 + 1e-9
+        assert miss("planar", q[None], T, solver) < 1e-9
+    T[:2, 3] = [1.3, 0.0]
+    assert solver.ik(T, np.zeros(4))[1].tolist() == [1]
+
+
+@pytest.mark.parametrize("name", FINITE)
+def test_all_solutions_that_the_program_finds(name: str, folder: Path) -> None:
+    solver, python = in_c(name, folder), in_python(name, folder)
+    for number, q in enumerate(joints(name, folder, 30)):
+        T = solver.fk(q)
+        rows, status = solver.ik(T, np.zeros(len(q)))
+        held = rows[status != 1]
+        assert miss(name, held, T, solver) < 1e-9
+        gaps = np.abs(np.remainder(held - q + np.pi, 2 * np.pi) - np.pi).max(axis=1)
+        assert gaps.min() < 1e-6
+        assert (np.diff(held[:, 0]) > -1e-9).all()
+        if number < 1:
+            others, other_status = python.ik_all(T)
+            np.testing.assert_allclose(others[other_status != 1], held, atol=1e-8)
+
+
+def test_free_joints_are_given(folder: Path) -> None:
+    solver, python = in_c("given", folder), in_python("given", folder)
+    for number, q in enumerate(joints("given", folder, 10)):
+        T = solver.fk(q)
+        rows, status = solver.ik(T, q, q[[5]])
+        held = rows[status != 1]
+        np.testing.assert_allclose(held[:, [5]], np.tile(q[[5]], (len(held), 1)))
+        assert miss("given", held, T, solver) < 1e-9
+        assert np.abs(held - q).max(axis=1).min() < 1e-6
+        if number < 1:
+            np.testing.assert_allclose(python.ik(T, q[[5]], q), q, atol=1e-6)
+
+
+def test_what_is_no_pose(folder: Path) -> None:
+    solver = in_c("planar", folder)
+    assert solver.ik(np.full((4, 4), np.nan), np.zeros(4))[1].tolist() == [4]
+    far = np.eye(4)
+    far[0, 3] = 9.0
+    assert solver.ik(far, np.zeros(4))[1].tolist() == [1]
