@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define ABB_IRB120_METHOD "closed form"
+
 enum {
     ABB_IRB120_DOF = 6, /* joints */
     ABB_IRB120_ROWS = 8 /* branches */

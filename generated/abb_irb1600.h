@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define ABB_IRB1600_METHOD "closed form"
+
 enum {
     ABB_IRB1600_DOF = 6, /* joints */
     ABB_IRB1600_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define ABB_IRB4600_METHOD "closed form"
+
 enum {
     ABB_IRB4600_DOF = 6, /* joints */
     ABB_IRB4600_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define ABB_IRB6640_METHOD "closed form"
+
 enum {
     ABB_IRB6640_DOF = 6, /* joints */
     ABB_IRB6640_ROWS = 8 /* branches */

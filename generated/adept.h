@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define ADEPT_METHOD "closed form"
+
 enum {
     ADEPT_DOF = 3, /* joints */
     ADEPT_ROWS = 1 /* branches */

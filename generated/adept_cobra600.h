@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define ADEPT_COBRA600_METHOD "closed form"
+
 enum {
     ADEPT_COBRA600_DOF = 4, /* joints */
     ADEPT_COBRA600_ROWS = 2 /* branches */

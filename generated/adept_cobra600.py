@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "adept_cobra600"
+METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRPR"
 JOINT_LIMITS = (

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define ARM_3R_METHOD "closed form"
+
 enum {
     ARM_3R_DOF = 3, /* joints */
     ARM_3R_ROWS = 4 /* branches */

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define ARM_6R_METHOD "closed form"
+
 enum {
     ARM_6R_DOF = 6, /* joints */
     ARM_6R_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CARTESIAN_METHOD "closed form"
+
 enum {
     CARTESIAN_DOF = 3, /* joints */
     CARTESIAN_ROWS = 1 /* branches */

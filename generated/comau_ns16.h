@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define COMAU_NS16_METHOD "closed form"
+
 enum {
     COMAU_NS16_DOF = 6, /* joints */
     COMAU_NS16_ROWS = 8 /* branches */

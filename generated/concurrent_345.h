@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CONCURRENT_345_METHOD "quartic"
+
 enum {
     CONCURRENT_345_DOF = 6, /* joints */
     CONCURRENT_345_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CRAIG_417_METHOD "closed form"
+
 enum {
     CRAIG_417_DOF = 4, /* joints */
     CRAIG_417_ROWS = 2 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CUSPIDAL_3R_METHOD "quartic"
+
 enum {
     CUSPIDAL_3R_DOF = 3, /* joints */
     CUSPIDAL_3R_ROWS = 4 /* branches */

@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "cuspidal_3r"
+METHOD = "quartic"
 DOF = 3
 JOINT_TYPES = "RRR"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CYLINDRICAL_METHOD "closed form"
+
 enum {
     CYLINDRICAL_DOF = 3, /* joints */
     CYLINDRICAL_ROWS = 1 /* branches */

@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "cylindrical"
+METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RPP"
 JOINT_LIMITS = (

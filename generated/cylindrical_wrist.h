@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define CYLINDRICAL_WRIST_METHOD "closed form"
+
 enum {
     CYLINDRICAL_WRIST_DOF = 6, /* joints */
     CYLINDRICAL_WRIST_ROWS = 4 /* branches */

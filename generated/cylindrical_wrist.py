@@ -26,6 +26,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "cylindrical_wrist"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RPPRRR"
 JOINT_LIMITS = (

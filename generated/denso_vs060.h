@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define DENSO_VS060_METHOD "closed form"
+
 enum {
     DENSO_VS060_DOF = 6, /* joints */
     DENSO_VS060_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define DOOSAN_M1013_METHOD "closed form"
+
 enum {
     DOOSAN_M1013_DOF = 6, /* joints */
     DOOSAN_M1013_ROWS = 8 /* branches */

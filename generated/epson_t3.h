@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define EPSON_T3_METHOD "closed form"
+
 enum {
     EPSON_T3_DOF = 4, /* joints */
     EPSON_T3_ROWS = 2 /* branches */

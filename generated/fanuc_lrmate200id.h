@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define FANUC_LRMATE200ID_METHOD "closed form"
+
 enum {
     FANUC_LRMATE200ID_DOF = 6, /* joints */
     FANUC_LRMATE200ID_ROWS = 8 /* branches */

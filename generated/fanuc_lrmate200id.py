@@ -26,6 +26,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "fanuc_lrmate200id"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_LIMITS = (

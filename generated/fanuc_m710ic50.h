@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define FANUC_M710IC50_METHOD "closed form"
+
 enum {
     FANUC_M710IC50_DOF = 6, /* joints */
     FANUC_M710IC50_ROWS = 8 /* branches */

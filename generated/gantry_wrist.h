@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define GANTRY_WRIST_METHOD "closed form"
+
 enum {
     GANTRY_WRIST_DOF = 6, /* joints */
     GANTRY_WRIST_ROWS = 2 /* branches */

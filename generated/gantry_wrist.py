@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "gantry_wrist"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "PPPRRR"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define IGUS_REBEL_METHOD "closed form"
+
 enum {
     IGUS_REBEL_DOF = 6, /* joints */
     IGUS_REBEL_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KATANA_400_METHOD "closed form"
+
 enum {
     KATANA_400_DOF = 5, /* joints */
     KATANA_400_ROWS = 4 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KAWASAKI_RS007N_METHOD "closed form"
+
 enum {
     KAWASAKI_RS007N_DOF = 6, /* joints */
     KAWASAKI_RS007N_ROWS = 8 /* branches */

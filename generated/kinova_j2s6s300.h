@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KINOVA_J2S6S300_METHOD "closed form"
+
 enum {
     KINOVA_J2S6S300_DOF = 6, /* joints */
     KINOVA_J2S6S300_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KUKA_IIWA14_METHOD "closed form"
+
 enum {
     KUKA_IIWA14_DOF = 7, /* joints */
     KUKA_IIWA14_FREE = 1, /* free joints, whose values the caller gives: 3 */

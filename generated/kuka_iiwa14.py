@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "kuka_iiwa14"
+METHOD = "closed form"
 DOF = 7
 JOINT_TYPES = "RRRRRRR"
 JOINT_LIMITS = (

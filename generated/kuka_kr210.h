@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KUKA_KR210_METHOD "closed form"
+
 enum {
     KUKA_KR210_DOF = 6, /* joints */
     KUKA_KR210_ROWS = 8 /* branches */

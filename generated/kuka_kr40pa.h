@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KUKA_KR40PA_METHOD "closed form"
+
 enum {
     KUKA_KR40PA_DOF = 4, /* joints */
     KUKA_KR40PA_ROWS = 2 /* branches */

@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "kuka_kr40pa"
+METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRRR"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KUKA_KR6_R900_METHOD "closed form"
+
 enum {
     KUKA_KR6_R900_DOF = 6, /* joints */
     KUKA_KR6_R900_ROWS = 8 /* branches */

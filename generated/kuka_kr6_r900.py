@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "kuka_kr6_r900"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define KUKA_YOUBOT_METHOD "closed form"
+
 enum {
     KUKA_YOUBOT_DOF = 5, /* joints */
     KUKA_YOUBOT_ROWS = 4 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define OLSON_PPRRRR_METHOD "closed form"
+
 enum {
     OLSON_PPRRRR_DOF = 6, /* joints */
     OLSON_PPRRRR_ROWS = 4 /* branches */

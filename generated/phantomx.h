@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define PHANTOMX_METHOD "closed form"
+
 enum {
     PHANTOMX_DOF = 4, /* joints */
     PHANTOMX_ROWS = 2 /* branches */

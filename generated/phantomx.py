@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "phantomx"
+METHOD = "closed form"
 DOF = 4
 JOINT_TYPES = "RRRR"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define PLANAR_PR_METHOD "closed form"
+
 enum {
     PLANAR_PR_DOF = 2, /* joints */
     PLANAR_PR_ROWS = 2 /* branches */

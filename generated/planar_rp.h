@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define PLANAR_RP_METHOD "closed form"
+
 enum {
     PLANAR_RP_DOF = 2, /* joints */
     PLANAR_RP_ROWS = 2 /* branches */

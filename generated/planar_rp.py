@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "planar_rp"
+METHOD = "closed form"
 DOF = 2
 JOINT_TYPES = "RP"
 JOINT_LIMITS = (

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define PLANAR_RR_METHOD "closed form"
+
 enum {
     PLANAR_RR_DOF = 2, /* joints */
     PLANAR_RR_ROWS = 2 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define PLANAR_RRR_METHOD "closed form"
+
 enum {
     PLANAR_RRR_DOF = 3, /* joints */
     PLANAR_RRR_ROWS = 2 /* branches */

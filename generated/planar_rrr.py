@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "planar_rrr"
+METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRR"
 JOINT_LIMITS = (

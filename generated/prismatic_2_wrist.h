@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define PRISMATIC_2_WRIST_METHOD "closed form"
+
 enum {
     PRISMATIC_2_WRIST_DOF = 6, /* joints */
     PRISMATIC_2_WRIST_ROWS = 8 /* branches */

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define PUMA_METHOD "closed form"
+
 enum {
     PUMA_DOF = 6, /* joints */
     PUMA_ROWS = 8 /* branches */

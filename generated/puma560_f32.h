@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define PUMA560_F32_METHOD "closed form"
+
 enum {
     PUMA560_F32_DOF = 6, /* joints */
     PUMA560_F32_ROWS = 8 /* branches */

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define PUMA_ARM_METHOD "closed form"
+
 enum {
     PUMA_ARM_DOF = 3, /* joints */
     PUMA_ARM_ROWS = 4 /* branches */

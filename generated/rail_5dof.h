@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define RAIL_5DOF_METHOD "closed form"
+
 enum {
     RAIL_5DOF_DOF = 5, /* joints */
     RAIL_5DOF_ROWS = 2 /* branches */

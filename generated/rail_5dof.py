@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "rail_5dof"
+METHOD = "closed form"
 DOF = 5
 JOINT_TYPES = "PRRRR"
 JOINT_LIMITS = (

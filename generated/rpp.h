@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define RPP_METHOD "closed form"
+
 enum {
     RPP_DOF = 3, /* joints */
     RPP_ROWS = 2 /* branches */

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define RPR_METHOD "closed form"
+
 enum {
     RPR_DOF = 3, /* joints */
     RPR_ROWS = 4 /* branches */

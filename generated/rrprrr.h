@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define RRPRRR_METHOD "closed form"
+
 enum {
     RRPRRR_DOF = 6, /* joints */
     RRPRRR_ROWS = 8 /* branches */

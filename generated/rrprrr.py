@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "rrprrr"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRPRRR"
 JOINT_LIMITS = (

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define SCARA_METHOD "closed form"
+
 enum {
     SCARA_DOF = 4, /* joints */
     SCARA_ROWS = 2 /* branches */

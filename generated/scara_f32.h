@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define SCARA_F32_METHOD "closed form"
+
 enum {
     SCARA_F32_DOF = 4, /* joints */
     SCARA_F32_ROWS = 2 /* branches */

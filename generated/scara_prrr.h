@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SCARA_PRRR_METHOD "closed form"
+
 enum {
     SCARA_PRRR_DOF = 4, /* joints */
     SCARA_PRRR_ROWS = 2 /* branches */

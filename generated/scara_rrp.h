@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SCARA_RRP_METHOD "closed form"
+
 enum {
     SCARA_RRP_DOF = 3, /* joints */
     SCARA_RRP_ROWS = 2 /* branches */

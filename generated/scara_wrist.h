@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SCARA_WRIST_METHOD "closed form"
+
 enum {
     SCARA_WRIST_DOF = 6, /* joints */
     SCARA_WRIST_ROWS = 4 /* branches */

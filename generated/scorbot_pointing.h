@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SCORBOT_POINTING_METHOD "closed form"
+
 enum {
     SCORBOT_POINTING_DOF = 5, /* joints */
     SCORBOT_POINTING_FREE = 1, /* free joints, whose values the caller gives: 5 */

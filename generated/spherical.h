@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SPHERICAL_METHOD "closed form"
+
 enum {
     SPHERICAL_DOF = 3, /* joints */
     SPHERICAL_ROWS = 4 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define SPHERICAL_OFFSET_METHOD "closed form"
+
 enum {
     SPHERICAL_OFFSET_DOF = 3, /* joints */
     SPHERICAL_OFFSET_ROWS = 4 /* branches */

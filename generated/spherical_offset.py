@@ -26,6 +26,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "spherical_offset"
+METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRP"
 JOINT_LIMITS = (

@@ -17,6 +17,8 @@
 extern "C" {
 #endif
 
+#define SPHERICAL_WRIST_ALL_OFFSETS_METHOD "closed form"
+
 enum {
     SPHERICAL_WRIST_ALL_OFFSETS_DOF = 6, /* joints */
     SPHERICAL_WRIST_ALL_OFFSETS_ROWS = 8 /* branches */

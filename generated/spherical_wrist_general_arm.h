@@ -17,6 +17,8 @@
 extern "C" {
 #endif
 
+#define SPHERICAL_WRIST_GENERAL_ARM_METHOD "quartic"
+
 enum {
     SPHERICAL_WRIST_GENERAL_ARM_DOF = 6, /* joints */
     SPHERICAL_WRIST_GENERAL_ARM_ROWS = 8 /* branches */

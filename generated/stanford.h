@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define STANFORD_METHOD "closed form"
+
 enum {
     STANFORD_DOF = 6, /* joints */
     STANFORD_ROWS = 8 /* branches */

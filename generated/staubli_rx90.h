@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define STAUBLI_RX90_METHOD "closed form"
+
 enum {
     STAUBLI_RX90_DOF = 6, /* joints */
     STAUBLI_RX90_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define STAUBLI_TX2_90_METHOD "closed form"
+
 enum {
     STAUBLI_TX2_90_DOF = 6, /* joints */
     STAUBLI_TX2_90_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define STAUBLI_TX40_METHOD "closed form"
+
 enum {
     STAUBLI_TX40_DOF = 6, /* joints */
     STAUBLI_TX40_ROWS = 8 /* branches */

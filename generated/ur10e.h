@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define UR10E_METHOD "closed form"
+
 enum {
     UR10E_DOF = 6, /* joints */
     UR10E_ROWS = 8 /* branches */

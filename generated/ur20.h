@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define UR20_METHOD "closed form"
+
 enum {
     UR20_DOF = 6, /* joints */
     UR20_ROWS = 8 /* branches */

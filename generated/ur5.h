@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define UR5_METHOD "closed form"
+
 enum {
     UR5_DOF = 6, /* joints */
     UR5_ROWS = 8 /* branches */

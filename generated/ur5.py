@@ -24,6 +24,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "ur5"
+METHOD = "closed form"
 DOF = 6
 JOINT_TYPES = "RRRRRR"
 JOINT_LIMITS = (

@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define UR5_F32_METHOD "closed form"
+
 enum {
     UR5_F32_DOF = 6, /* joints */
     UR5_F32_ROWS = 8 /* branches */

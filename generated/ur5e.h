@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define UR5E_METHOD "closed form"
+
 enum {
     UR5E_DOF = 6, /* joints */
     UR5E_ROWS = 8 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define WRIST_CARDAN_METHOD "closed form"
+
 enum {
     WRIST_CARDAN_DOF = 3, /* joints */
     WRIST_CARDAN_ROWS = 2 /* branches */

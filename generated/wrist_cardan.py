@@ -25,6 +25,7 @@ except ImportError:  # plain Python, only slower
 _jit = njit(cache=True, error_model="numpy")
 
 NAME = "wrist_cardan"
+METHOD = "closed form"
 DOF = 3
 JOINT_TYPES = "RRR"
 JOINT_LIMITS = (

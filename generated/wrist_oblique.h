@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define WRIST_OBLIQUE_METHOD "closed form"
+
 enum {
     WRIST_OBLIQUE_DOF = 3, /* joints */
     WRIST_OBLIQUE_ROWS = 2 /* branches */

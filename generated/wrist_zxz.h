@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define WRIST_ZXZ_METHOD "closed form"
+
 enum {
     WRIST_ZXZ_DOF = 3, /* joints */
     WRIST_ZXZ_ROWS = 2 /* branches */

@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define WRIST_ZYZ_METHOD "closed form"
+
 enum {
     WRIST_ZYZ_DOF = 3, /* joints */
     WRIST_ZYZ_ROWS = 2 /* branches */

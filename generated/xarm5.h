@@ -15,6 +15,8 @@
 extern "C" {
 #endif
 
+#define XARM5_METHOD "closed form"
+
 enum {
     XARM5_DOF = 5, /* joints */
     XARM5_ROWS = 4 /* branches */

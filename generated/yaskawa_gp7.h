@@ -16,6 +16,8 @@
 extern "C" {
 #endif
 
+#define YASKAWA_GP7_METHOD "closed form"
+
 enum {
     YASKAWA_GP7_DOF = 6, /* joints */
     YASKAWA_GP7_ROWS = 8 /* branches */
