@@ -51,6 +51,7 @@ PICTURE = DOCUMENT.with_suffix(".svg")
 CHECKED = 200  # poses whose answers are judged
 ALIGNED = 64
 WAYS = (
+    ("C, scalar", "C, scalar"),
     ("C, one pose", "C, one pose"),
     ("AVX2", "C, one pose, AVX2"),
     ("C, batch", "C, batch"),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 # Text stays text and identifiers come from a fixed salt: the same figures give the same bytes.
 STYLE = {"svg.fonttype": "none", "svg.hashsalt": "dhgen", "font.size": 9.0}
 OURS = {
-    "C, plain x86-64": ("v", "#7aa6d8"),
+    "C, -O2": ("v", "#7aa6d8"),
     "C, scalar": ("<", "#7aa6d8"),
     "C, one pose, AVX2": ("s", "#3f7cc4"),
     "C, one pose": ("D", "#12467f"),

@@ -50,7 +50,8 @@ def solvers(arm: Arm, folder: Path) -> tuple[list[Contestant], list[Absentee]]:
     one = Interface(_shim(ONE_SHIM, arm, module), module.MAX_SOLUTIONS, arm.dof)
     batch = Interface(_shim(BATCH_SHIM, arm, module), module.MAX_SOLUTIONS, arm.dof, batch=True)
     for way, interface, flags in (
-        ("C, plain x86-64", one, PORTABLE),
+        ("C, -O2", one, PORTABLE),
+        ("C, scalar", one, (*NATIVE, f"-D{arm.case.name.upper()}_LIBM")),
         ("C, one pose, AVX2", one, AVX2),
         ("C, one pose", one, NATIVE),
         ("C, batch, AVX2", batch, AVX2),
