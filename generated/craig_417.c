@@ -27,6 +27,8 @@ static const double k6 = 2.0; /* d3 + d4 [m] */
 static const double k7 = 2.8284271247461903; /* sqrt2 * (d3 + d4) [m] */
 static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m1 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -165,6 +167,607 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef CRAIG_417_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DCRAIG_417_SCALAR. With -DCRAIG_417_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(CRAIG_417_SCALAR) && !defined(CRAIG_417_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef CRAIG_417_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & CRAIG_417_UNREACHABLE) | (~(none) & (outside) & CRAIG_417_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)CRAIG_417_UNREACHABLE : (outside) ? (int)CRAIG_417_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide N1 = T13 * T13 + T23 * T23;
+    const wide D1 = N1 - k3;
+    const wide_mask free1 = N1 <= free_limit_squared;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = k2 * T13;
+    const wide v2 = k2 * T23;
+    const wide v3 = T13 * w1;
+    const wide c1_p = inverse1 * (v2 - v3);
+    const wide c1_m = inverse1 * (v2 + v3);
+    const wide v4 = T23 * w1;
+    const wide v5 = inverse1 * (v1 + v4);
+    const wide v6 = inverse1 * (v1 - v4);
+
+    /* theta2 */
+    const wide S2 = k2 * w1;
+    const wide v7 = k2 * T33;
+    const wide w2 = sqrt_wide(v7 * v7 + S2 * S2);
+    const wide v8 = 1.0 / w2;
+    const wide c2 = v7 * v8;
+    const wide v9 = S2 * v8;
+    const wide q2_ = atan2_wide(-v9, c2);
+
+    /* theta34 */
+    const wide v10 = k2 * (c1_p * T21 + v5 * T11);
+    const wide v11 = k2 * (c1_m * T21 + v6 * T11);
+    const wide v12 = k2 * (c1_p * T22 + v5 * T12);
+    const wide v13 = k2 * (c1_m * T22 + v6 * T12);
+    const wide w34_p = sqrt_wide(v10 * v10 + v12 * v12);
+    const wide w34_m = sqrt_wide(v11 * v11 + v13 * v13);
+    const wide v14 = 1.0 / w34_p;
+    const wide v15 = 1.0 / w34_m;
+    const wide c34_p = v12 * v14;
+    const wide c34_m = v13 * v15;
+    const wide s34_p = v10 * v14;
+    const wide s34_m = v11 * v15;
+
+    /* theta3 */
+    const wide v16 = 2.0 * T24;
+    const wide v17 = 2.0 * T14;
+    const wide v18 = a3 * (k1 * (k7 - (v5 * v17 + c1_p * v16)));
+    const wide v19 = a3 * (k1 * (k7 - (v6 * v17 + c1_m * v16)));
+    const wide v20 = v9 * T34;
+    const wide C3_p = k2 * (v20 + c2 * (c1_p * T14 - v5 * T24));
+    const wide C3_m = k2 * (c2 * (c1_m * T14 - v6 * T24) - v20);
+    const double v21 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const wide w3_p = sqrt_wide(v18 * v18 + C3_p * C3_p);
+    const wide w3_m = sqrt_wide(v19 * v19 + C3_m * C3_m);
+    const wide factor3_p = v21 / w3_p;
+    const wide factor3_m = v21 / w3_m;
+    const wide c3_p = C3_p * factor3_p;
+    const wide c3_m = C3_m * factor3_m;
+    const wide v22 = v18 * factor3_p;
+    const wide v23 = v19 * factor3_m;
+    const wide q3__p = atan2_wide(-v22, c3_p);
+    const wide q3__m = atan2_wide(-v23, c3_m);
+
+    /* is the pose one that the arm can take? */
+    const wide v24 = c1_p * c2;
+    const wide v25 = c1_m * c2;
+    const wide v26 = 2.0 * v24;
+    const wide v27 = 2.0 * v25;
+    const wide v28 = c1_p * v9;
+    const wide v29 = c1_m * v9;
+    const wide v30 = sqrt2 * (v5 + v28);
+    const wide v31 = sqrt2 * (v6 - v29);
+    const wide v32 = k6 * c1_p;
+    const wide v33 = k6 * c1_m;
+    const wide v34 = k6 * v5;
+    const wide v35 = k6 * v6;
+    const wide v36 = v5 * c2;
+    const wide v37 = v6 * c2;
+    const wide v38 = 2.0 * v36;
+    const wide v39 = 2.0 * v37;
+    const wide v40 = v5 * v9;
+    const wide v41 = v6 * v9;
+    const wide v42 = sqrt2 * (c1_p - v40);
+    const wide v43 = sqrt2 * (c1_m + v41);
+    const wide v44 = v9 * 2.0;
+    const wide v45 = sqrt2 * c2;
+    const wide v46 = sqrt2 * (k6 * c2);
+    const wide v47 = 2.0 * (a3 * v9);
+    const wide v48 = a3 * v45;
+    const wide_mask v49 = abs_wide(T33 - k1 * v45) <= pose_slack;
+    const wide v50 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (v46 + (v22 * v48 + c3_p * v47))) <=
+        pose_slack1) & (v49 & ((abs_wide(T32 + k1 * (c34_p * v45 + s34_p * v44)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_p * v45 - c34_p * v44)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v32 + v9 * v34) - (c3_p * (2.0 * (a3 * v36)) + v22 * (a3 * v42)))) <= pose_slack1)
+        & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v40))) <= pose_slack) & ((abs_wide(T22 - k1 *
+        (c34_p * v42 + s34_p * v38)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v42 - c34_p *
+        v38)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v24)) - v22 * (a3 * v30) +
+        sqrt2 * (v34 - v9 * v32))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v5 - v28))) <=
+        pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v26 + s34_p * v30)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_p * v26 - c34_p * v30)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(-1.0)));
+    const wide v51 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (v46 + (v23 * v48 - c3_m * v47))) <=
+        pose_slack1) & (v49 & ((abs_wide(T32 + k1 * (c34_m * v45 - s34_m * v44)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_m * v45 + c34_m * v44)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v33 - v9 * v35) - (c3_m * (2.0 * (a3 * v37)) + v23 * (a3 * v43)))) <= pose_slack1)
+        & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v41))) <= pose_slack) & ((abs_wide(T22 - k1 *
+        (c34_m * v43 + s34_m * v39)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v43 - c34_m *
+        v39)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v25)) - v23 * (a3 * v31) +
+        sqrt2 * (v35 + v9 * v33))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v6 + v29))) <=
+        pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v27 + s34_m * v31)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_m * v27 - c34_m * v31)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(-1.0)));
+
+    /* joint values */
+    const wide v52 = atan2_wide(s34_p, c34_p) - q3__p;
+    const wide v53 = atan2_wide(s34_m, c34_m) - q3__m;
+    const wide_mask free3__p = (w34_p <= free_limit_squared) | (w3_p <= free_limit_squared2);
+    const wide_mask free3__m = (w34_m <= free_limit_squared) | (w3_m <= free_limit_squared2);
+    const wide v54 = v50 - v50;
+    const wide v55 = v51 - v51;
+    const wide q1_p = v54 + atan2_wide(-v5, c1_p);
+    const wide q1_m = v55 + atan2_wide(-v6, c1_m);
+    const wide q2_p = q2_ + v54;
+    const wide q2_m = v55 - q2_;
+    const wide q3_p = q3__p + v54;
+    const wide q3_m = q3__m + v55;
+    const wide q4_p = v54 + (v52 - pick_wide(half_turn < v52, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v52 <= -half_turn, all_wide(m1), all_wide(0.0)));
+    const wide q4_m = v55 + (v53 - pick_wide(half_turn < v53, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v53 <= -half_turn, all_wide(m1), all_wide(0.0)));
+    const wide_mask doubt = (free3__m | free3__m) | (((w2 <= free_limit_squared) | (free1 | ((-k4 <=
+        D1) & (free1 | ((k5 < D1) == 0))))) | (free3__p | free3__p));
+
+    q[0] = q1_p;
+    q[1] = q2_p;
+    q[2] = q3_p;
+    q[3] = q4_p;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[4] = q1_m;
+    q[5] = q2_m;
+    q[6] = q3_m;
+    q[7] = q4_m;
+    kind[1] = kind_of(q[4] != q[4], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
+{
+    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double N1 = T13 * T13 + T23 * T23;
+    const double D1 = N1 - k3;
+    const int free1 = N1 <= free_limit_squared;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = k2 * T13;
+    const double v2 = k2 * T23;
+    const double v3 = T13 * w1;
+    const four c1 = inverse1 * (v2 - e1 * v3);
+    const double v4 = T23 * w1;
+    const four v5 = inverse1 * (v1 + e1 * v4);
+
+    /* theta2 */
+    const double S2 = k2 * w1;
+    const double v6 = k2 * T33;
+    const double w2 = sqrt(v6 * v6 + S2 * S2);
+    const double v7 = 1.0 / w2;
+    const double c2 = v6 * v7;
+    const double v8 = S2 * v7;
+    const four q2_ = atan2_four(all_four(-v8), all_four(c2));
+
+    /* theta34 */
+    const four v9 = k2 * (c1 * T21 + v5 * T11);
+    const four v10 = k2 * (c1 * T22 + v5 * T12);
+    const four w34 = sqrt_four(v9 * v9 + v10 * v10);
+    const four v11 = 1.0 / w34;
+    const four c34 = v10 * v11;
+    const four s34 = v9 * v11;
+
+    /* theta3 */
+    const double v12 = 2.0 * T24;
+    const double v13 = 2.0 * T14;
+    const four v14 = a3 * (k1 * (k7 - (v5 * v13 + c1 * v12)));
+    const double v15 = v8 * T34;
+    const four C3 = k2 * (c2 * (c1 * T14 - v5 * T24) + e1 * v15);
+    const double v16 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const four w3 = sqrt_four(v14 * v14 + C3 * C3);
+    const four factor3 = v16 / w3;
+    const four c3 = C3 * factor3;
+    const four v17 = v14 * factor3;
+    const four q3_ = atan2_four(-v17, c3);
+
+    /* is the pose one that the arm can take? */
+    const four v18 = c1 * c2;
+    const four v19 = 2.0 * v18;
+    const four v20 = e1 * (c1 * v8);
+    const four v21 = sqrt2 * (v5 + v20);
+    const four v22 = k6 * c1;
+    const four v23 = k6 * v5;
+    const four v24 = v5 * c2;
+    const four v25 = 2.0 * v24;
+    const four v26 = e1 * (v5 * v8);
+    const four v27 = sqrt2 * (c1 - v26);
+    const double v28 = v8 * 2.0;
+    const double v29 = sqrt2 * c2;
+    const double v30 = sqrt2 * (k6 * c2);
+    const double v31 = 2.0 * (a3 * v8);
+    const double v32 = a3 * v29;
+    const int v33 = fabs(T33 - k1 * v29) <= pose_slack;
+    const four v34 = sqrt_four(pick_four((abs_four(T34 - k1 * (v30 + (v17 * v32 + e1 * (c3 * v31))))
+        <= pose_slack1) & ((all_four(v33 ? 1.0 : 0.0) > 0.0) & ((abs_four(T32 + k1 * (c34 * v29 + e1
+        * (s34 * v28))) <= pose_slack) & ((abs_four(T31 + k1 * (s34 * v29 - e1 * (c34 * v28))) <=
+        pose_slack) & ((abs_four(T24 - k1 * (sqrt2 * (v22 + e1 * (v8 * v23)) - (c3 * (2.0 * (a3 *
+        v24)) + v17 * (a3 * v27)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v26))) <=
+        pose_slack) & ((abs_four(T22 - k1 * (c34 * v27 + s34 * v25)) <= pose_slack) & ((abs_four(T21
+        - k1 * (s34 * v27 - c34 * v25)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 *
+        v18)) - v17 * (a3 * v21) + sqrt2 * (v23 - e1 * (v8 * v22)))) <= pose_slack1) &
+        ((abs_four(T13 - k1 * (sqrt2 * (v5 - v20))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 *
+        v19 + s34 * v21)) <= pose_slack) & (abs_four(T12 + k1 * (s34 * v19 - c34 * v21)) <=
+        pose_slack))))))))))), all_four(0.0), all_four(-1.0)));
+
+    /* joint values */
+    const four v35 = atan2_four(s34, c34) - q3_;
+    const four_mask free3_ = (w34 <= free_limit_squared) | (w3 <= free_limit_squared2);
+    const four v36 = v34 - v34;
+    const four q1 = v36 + atan2_four(-v5, c1);
+    const four q2 = v36 + e1 * q2_;
+    const four q3 = q3_ + v36;
+    const four q4 = v36 + (v35 - pick_four(half_turn < v35, all_four(m1), all_four(0.0)) +
+        pick_four(v35 <= -half_turn, all_four(m1), all_four(0.0)));
+    const int doubt1 = (w2 <= free_limit_squared) | (free1 | ((-k4 <= D1) & (free1 | ((k5 < D1) ==
+        0))));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free3_ | free3_);
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[8], x[LANES];
+    wide_mask kind[2];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (8 >= LANES) {
+        for (int i = 0; i < 8; i += LANES) {
+            const int from = i + LANES <= 8 ? i : 8 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 8 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 8; i++)
+            for (int k = 0; k < LANES; k++)
+                q[8 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 2; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 2 - row < 8 ? 2 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
+{
+    wide_mask kind[2];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 2; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
@@ -294,8 +897,13 @@ int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsig
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 2; row++) {
         status[row] = valid ? CRAIG_417_UNREACHABLE : CRAIG_417_INVALID_POSE;
         for (int i = 0; i < 4; i++)
@@ -349,6 +957,15 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
 
 void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 8 * k, status + 2 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)craig_417_ik(T + 16 * i, NULL, (double (*)[4])(q + 8 * i), status + 2 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)craig_417_ik(T + 16 * k, NULL, (double (*)[4])(q + 8 * k), status + 2 * k);
 }

@@ -284,8 +284,8 @@ int cuspidal_3r_ik(
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    const int valid = read_pose(T, pose);
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? CUSPIDAL_3R_UNREACHABLE : CUSPIDAL_3R_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -339,6 +339,7 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
 
 void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)cuspidal_3r_ik(T + 16 * k, NULL, (double (*)[3])(q + 12 * k), status + 4 * k);
 }

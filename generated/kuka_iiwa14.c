@@ -32,6 +32,23 @@ static const double k2 = 0.72; /* 2 * d1 [m] */
 static const double k3 = -0.2068; /* d1^2 - (d3^2 + d5^2) [m^2] */
 static const double k4 = 0.11289600000000001; /* (2 * d5 * d3)^2 [m^4] */
 static const double k5 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
+static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
+static const double low2 = -2.0943951033931953; /* lowest value of joint 2 */
+static const double high2 = 2.0943951033931953; /* highest value of joint 2 */
+static const double low3 = -2.9670597293903604; /* lowest value of joint 3 */
+static const double high3 = 2.9670597293903604; /* highest value of joint 3 */
+static const double low4 = -2.0943951033931953; /* lowest value of joint 4 */
+static const double high4 = 2.0943951033931953; /* highest value of joint 4 */
+static const double low5 = -2.9670597293903604; /* lowest value of joint 5 */
+static const double high5 = 2.9670597293903604; /* highest value of joint 5 */
+static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
+static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
+static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
+static const double high7 = 3.054326191990077; /* highest value of joint 7 */
+static const double g2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * g1 */
 
 const char *const kuka_iiwa14_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -245,6 +262,933 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KUKA_IIWA14_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
+    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
+    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKUKA_IIWA14_SCALAR. With -DKUKA_IIWA14_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KUKA_IIWA14_SCALAR) && !defined(KUKA_IIWA14_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+HELPER four cos_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER four sin_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+HELPER wide cos_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER wide sin_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define cos_wide cos
+#define sin_wide sin
+#ifdef KUKA_IIWA14_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KUKA_IIWA14_UNREACHABLE) | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KUKA_IIWA14_UNREACHABLE : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(
+    const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide c3 = cos_wide(free_joints[0]);
+    const wide s3 = sin_wide(free_joints[0]);
+
+    /* theta4 */
+    const wide wx = T14 - d7 * T13;
+    const wide wy = T24 - d7 * T23;
+    const wide wz = T34 - d7 * T33;
+    const wide v1 = wy * wy;
+    const wide Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)));
+    const wide D4 = k4 - Z4 * Z4;
+    const wide v2 = 2.0 * abs_wide(Z4);
+    const wide w4 = sqrt_wide(D4);
+    const wide v3 = k5 * (k1 * Z4);
+    const wide v4 = k5 * (k1 * w4);
+
+    /* theta1 */
+    const wide Z1 = d5 * (s3 * v4);
+    const wide N1 = v1 + -wx * -wx;
+    const wide D1 = N1 - Z1 * Z1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide v5 = 2.0 * abs_wide(Z1);
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v6 = Z1 * -wx;
+    const wide v7 = wy * Z1;
+    const wide v8 = -wx * w1;
+    const wide v9 = v7 - v8;
+    const wide c1_pp = inverse1 * v9;
+    const wide c1_pm = inverse1 * (v7 + v8);
+    const wide c1_mm = inverse1 * -v9;
+    const wide v10 = wy * w1;
+    const wide s1_pp = inverse1 * (v6 + v10);
+    const wide v11 = v6 - v10;
+    const wide s1_pm = inverse1 * v11;
+    const wide s1_mp = inverse1 * -v11;
+
+    /* theta2 */
+    const wide v12 = d5 * (c3 * v4);
+    const wide X2_2 = d3 + d5 * v3;
+    const wide Z1_2 = wz - d1;
+    const wide v13 = v12 * Z1_2;
+    const wide v14 = w1 * X2_2;
+    const wide S2_pp = v14 - v13;
+    const wide S2_mp = v13 + v14;
+    const wide v15 = X2_2 * Z1_2;
+    const wide v16 = w1 * v12;
+    const wide v17 = v15 + v16;
+    const wide v18 = v15 - v16;
+    const wide v19 = v17 * v17;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v19);
+    const wide w2_pm = sqrt_wide(S2_mp * S2_mp + v18 * v18);
+    const wide w2_mm = sqrt_wide(v19 + -S2_pp * -S2_pp);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v20 = v17 * factor2_pp;
+    const wide v21 = v18 * factor2_pm;
+    const wide v22 = v17 * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_mp = S2_mp * factor2_pm;
+    const wide s2_mm = -S2_pp * factor2_mm;
+
+    /* theta5 */
+    const wide v23 = c3 * T13;
+    const wide v24 = v3 * v23;
+    const wide v25 = c3 * T23;
+    const wide v26 = v3 * v25;
+    const wide v27 = T33 * v4;
+    const wide v28 = T13 * v4;
+    const wide v29 = T23 * v4;
+    const wide v30 = c3 * T33;
+    const wide v31 = v3 * v30;
+    const wide v32 = T13 * s1_pp;
+    const wide v33 = v32 - T23 * c1_pp;
+    const wide v34 = T23 * c1_pm;
+    const wide v35 = T13 * s1_pm - v34;
+    const wide v36 = v34 + T13 * s1_mp;
+    const wide v37 = v32 + T23 * c1_mm;
+    const wide v38 = s3 * v33;
+    const wide v39 = s3 * v35;
+    const wide v40 = s3 * v36;
+    const wide v41 = s3 * v37;
+    const wide v42 = s1_pp * v26;
+    const wide v43 = s1_pp * v29;
+    const wide X5_pp = v3 * v38 + (v20 * (v27 - (c1_pp * v24 + v42)) + s2_pp * (v31 + (c1_pp * v28 +
+        v43)));
+    const wide v44 = c1_pm * v24;
+    const wide v45 = c1_pm * v28;
+    const wide X5_pm = v3 * v39 + (v21 * (v27 - (v44 + s1_pm * v26)) - s2_mp * (v31 + (v45 + s1_pm *
+        v29)));
+    const wide X5_mp = v3 * v40 + (s2_mp * (v31 + (v45 - s1_mp * v29)) - v21 * (v27 + (s1_mp * v26 -
+        v44)));
+    const wide X5_mm = s2_mm * (v31 + (v43 - c1_mm * v28)) - v22 * (v27 + (c1_mm * v24 - v42)) - v3
+        * v41;
+    const wide v46 = s3 * T33;
+    const wide v47 = T23 * s1_pp;
+    const wide Y5_pp = s2_pp * v46 - v20 * (s3 * (T13 * c1_pp + v47)) - c3 * v33;
+    const wide v48 = s2_mp * v46;
+    const wide v49 = T13 * c1_pm;
+    const wide v50 = v48 + v21 * (s3 * (v49 + T23 * s1_pm)) + c3 * v35;
+    const wide Y5_mp = v48 - v21 * (s3 * (T23 * s1_mp - v49)) - c3 * v36;
+    const wide Y5_mm = s2_mm * v46 - v22 * (s3 * (T13 * c1_mm - v47)) + c3 * v37;
+    const wide w5_pp = sqrt_wide(X5_pp * X5_pp + Y5_pp * Y5_pp);
+    const wide w5_pm = sqrt_wide(X5_pm * X5_pm + v50 * v50);
+    const wide w5_mp = sqrt_wide(X5_mp * X5_mp + Y5_mp * Y5_mp);
+    const wide w5_mm = sqrt_wide(X5_mm * X5_mm + Y5_mm * Y5_mm);
+    const wide factor5_pp = 1.0 / w5_pp;
+    const wide factor5_pm = 1.0 / w5_pm;
+    const wide factor5_mp = 1.0 / w5_mp;
+    const wide factor5_mm = 1.0 / w5_mm;
+    const wide v51 = X5_pp * factor5_pp;
+    const wide v52 = X5_pm * factor5_pm;
+    const wide v53 = X5_mp * factor5_mp;
+    const wide v54 = X5_mm * factor5_mm;
+    const wide s5_pp = Y5_pp * factor5_pp;
+    const wide v55 = v50 * factor5_pm;
+    const wide s5_mp = Y5_mp * factor5_mp;
+    const wide s5_mm = Y5_mm * factor5_mm;
+    const wide q5_ppp = atan2_wide(s5_pp, -v51);
+    const wide q5_pmp = atan2_wide(-v55, -v52);
+    const wide q5_mpp = atan2_wide(s5_mp, -v53);
+    const wide q5_mmp = atan2_wide(s5_mm, -v54);
+    const wide q5_ppm = q5_ppp - copysign_wide(all_wide(half_turn), s5_pp) * h1;
+    const wide q5_pmm = q5_pmp - copysign_wide(all_wide(half_turn), -v55) * h1;
+    const wide q5_mpm = q5_mpp - copysign_wide(all_wide(half_turn), s5_mp) * h1;
+    const wide q5_mmm = q5_mmp - copysign_wide(all_wide(half_turn), s5_mm) * h1;
+
+    /* theta6 */
+    const wide v56 = v4 * v23;
+    const wide v57 = v4 * v25;
+    const wide v58 = T33 * v3;
+    const wide v59 = T13 * v3;
+    const wide v60 = T23 * v3;
+    const wide v61 = v4 * v30;
+
+    /* theta7 */
+    const wide v62 = s3 * T32;
+    const wide v63 = s1_pp * T12;
+    const wide v64 = v63 - c1_pp * T22;
+    const wide v65 = c1_pm * T22;
+    const wide v66 = s1_pm * T12 - v65;
+    const wide v67 = v65 + s1_mp * T12;
+    const wide v68 = v63 + c1_mm * T22;
+    const wide v69 = v3 * (c3 * T12);
+    const wide v70 = v3 * (c3 * T22);
+    const wide v71 = v4 * T32;
+    const wide v72 = v4 * T12;
+    const wide v73 = v4 * T22;
+    const wide v74 = v3 * (c3 * T32);
+    const wide v75 = s3 * T31;
+    const wide v76 = s1_pp * T11;
+    const wide v77 = v76 - c1_pp * T21;
+    const wide v78 = c1_pm * T21;
+    const wide v79 = s1_pm * T11 - v78;
+    const wide v80 = v78 + s1_mp * T11;
+    const wide v81 = v76 + c1_mm * T21;
+    const wide v82 = v3 * (c3 * T11);
+    const wide v83 = v3 * (c3 * T21);
+    const wide v84 = v4 * T31;
+    const wide v85 = v4 * T11;
+    const wide v86 = v4 * T21;
+    const wide v87 = v3 * (c3 * T31);
+    const wide v88 = s1_pp * T21;
+    const wide v89 = s1_pp * v83;
+    const wide v90 = s1_pp * v86;
+    const wide v91 = s1_pp * T22;
+    const wide v92 = s1_pp * v70;
+    const wide v93 = s1_pp * v73;
+    const wide q7_ppp = atan2_wide(-(v51 * (c3 * v77 - (s2_pp * v75 - v20 * (s3 * (c1_pp * T11 +
+        v88)))) + s5_pp * (v20 * (v84 - (c1_pp * v82 + v89)) + s2_pp * (v87 + (c1_pp * v85 + v90)) +
+        v3 * (s3 * v77))), -(v51 * (c3 * v64 - (s2_pp * v62 - v20 * (s3 * (c1_pp * T12 + v91)))) +
+        s5_pp * (v20 * (v71 - (c1_pp * v69 + v92)) + s2_pp * (v74 + (c1_pp * v72 + v93)) + v3 * (s3
+        * v64))));
+    const wide v94 = s2_mp * v75;
+    const wide v95 = c1_pm * T11;
+    const wide v96 = c1_pm * v82;
+    const wide v97 = c1_pm * v85;
+    const wide v98 = v55 * (v21 * (v84 - (v96 + s1_pm * v83)) - s2_mp * (v87 + (v97 + s1_pm * v86))
+        + v3 * (s3 * v79)) - v52 * (c3 * v79 + (v94 + v21 * (s3 * (v95 + s1_pm * T21))));
+    const wide v99 = s2_mp * v62;
+    const wide v100 = c1_pm * T12;
+    const wide v101 = c1_pm * v69;
+    const wide v102 = c1_pm * v72;
+    const wide q7_pmp = atan2_wide(v98, v55 * (v21 * (v71 - (v101 + s1_pm * v70)) - s2_mp * (v74 +
+        (v102 + s1_pm * v73)) + v3 * (s3 * v66)) - v52 * (c3 * v66 + (v99 + v21 * (s3 * (v100 +
+        s1_pm * T22)))));
+    const wide q7_mpp = atan2_wide(-(v53 * (c3 * v80 - (v94 - v21 * (s3 * (s1_mp * T21 - v95)))) +
+        s5_mp * (s2_mp * (v87 + (v97 - s1_mp * v86)) - v21 * (v84 + (s1_mp * v83 - v96)) + v3 * (s3
+        * v80))), -(v53 * (c3 * v67 - (v99 - v21 * (s3 * (s1_mp * T22 - v100)))) + s5_mp * (s2_mp *
+        (v74 + (v102 - s1_mp * v73)) - v21 * (v71 + (s1_mp * v70 - v101)) + v3 * (s3 * v67))));
+    const wide v103 = v54 * (c3 * v81 + (s2_mm * v75 - v22 * (s3 * (c1_mm * T11 - v88)))) - s5_mm *
+        (s2_mm * (v87 + (v90 - c1_mm * v85)) - v22 * (v84 + (c1_mm * v82 - v89)) - v3 * (s3 * v81));
+    const wide q7_mmp = atan2_wide(v103, v54 * (c3 * v68 + (s2_mm * v62 - v22 * (s3 * (c1_mm * T12 -
+        v91)))) - s5_mm * (s2_mm * (v74 + (v93 - c1_mm * v72)) - v22 * (v71 + (c1_mm * v69 - v92)) -
+        v3 * (s3 * v68)));
+    const wide q7_ppm = q7_ppp - h1 * copysign_wide(all_wide(half_turn), -(v51 * (c3 * v77 - (s2_pp
+        * v75 - v20 * (s3 * (c1_pp * T11 + v88)))) + s5_pp * (v20 * (v84 - (c1_pp * v82 + v89)) +
+        s2_pp * (v87 + (c1_pp * v85 + v90)) + v3 * (s3 * v77))));
+    const wide q7_pmm = q7_pmp - h1 * copysign_wide(all_wide(half_turn), v98);
+    const wide q7_mpm = q7_mpp - h1 * copysign_wide(all_wide(half_turn), -(v53 * (c3 * v80 - (v94 -
+        v21 * (s3 * (s1_mp * T21 - v95)))) + s5_mp * (s2_mp * (v87 + (v97 - s1_mp * v86)) - v21 *
+        (v84 + (s1_mp * v83 - v96)) + v3 * (s3 * v80))));
+    const wide q7_mmm = q7_mmp - h1 * copysign_wide(all_wide(half_turn), v103);
+
+    /* joint values */
+    const wide v104 = atan2_wide(s1_pp, c1_pp) - offset1;
+    const wide v105 = atan2_wide(s1_pm, c1_pm) - offset1;
+    const wide v106 = atan2_wide(s1_mp, -c1_pm) - offset1;
+    const wide v107 = atan2_wide(-s1_pp, c1_mm) - offset1;
+    const wide q1_ppp = v104 + pick_wide(v104 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1_pmp = v105 + pick_wide(v105 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1_mpp = v106 + pick_wide(v106 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide v108 = atan2_wide(s2_pp, -v20) - offset2;
+    const wide v109 = atan2_wide(-s2_mp, -v21) - offset2;
+    const wide v110 = atan2_wide(s2_mp, -v21) - offset2;
+    const wide v111 = atan2_wide(s2_mm, -v22) - offset2;
+    const wide q2_ppp = v108 + pick_wide(v108 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q2_pmp = v109 + pick_wide(v109 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q2_mpp = v110 + pick_wide(v110 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q2_mmp = v111 + pick_wide(v111 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide v112 = atan2_wide(-v4, -v3);
+    const wide v113 = v112 - offset4;
+    const wide v114 = offset4 + v112;
+    const wide q4__p = v113 + pick_wide(v113 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q4__m = pick_wide(-v114 <= -half_turn, all_wide(g2), all_wide(0.0)) - v114;
+    const wide v115 = s1_pp * v60;
+    const wide v116 = s1_pp * v57;
+    const wide v117 = atan2_wide(w5_pp, v4 * v38 - (s2_pp * (c1_pp * v59 + v115 - v61) + v20 * (v58
+        + (c1_pp * v56 + v116))));
+    const wide v118 = c1_pm * v59;
+    const wide v119 = c1_pm * v56;
+    const wide v120 = atan2_wide(w5_pm, v4 * v39 - (v21 * (v58 + (v119 + s1_pm * v57)) - s2_mp *
+        (v118 + s1_pm * v60 - v61)));
+    const wide v121 = atan2_wide(w5_mp, -(v4 * v40 + (s2_mp * (v61 + (s1_mp * v60 - v118)) + v21 *
+        (v58 + (v119 - s1_mp * v57)))));
+    const wide v122 = atan2_wide(w5_mm, v4 * v41 - (s2_mm * (v61 + (c1_mm * v59 - v115)) + v22 *
+        (v58 + (v116 - c1_mm * v56))));
+    const wide v123 = v117 - offset6;
+    const wide v124 = offset6 + v117;
+    const wide v125 = v120 - offset6;
+    const wide v126 = offset6 + v120;
+    const wide v127 = v121 - offset6;
+    const wide v128 = offset6 + v121;
+    const wide v129 = v122 - offset6;
+    const wide v130 = offset6 + v122;
+    const wide q6_ppp = v123 + pick_wide(v123 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q6_ppm = pick_wide(-v124 <= -half_turn, all_wide(g2), all_wide(0.0)) - v124;
+    const wide q6_pmp = v125 + pick_wide(v125 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q6_pmm = pick_wide(-v126 <= -half_turn, all_wide(g2), all_wide(0.0)) - v126;
+    const wide q6_mpp = v127 + pick_wide(v127 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q6_mpm = pick_wide(-v128 <= -half_turn, all_wide(g2), all_wide(0.0)) - v128;
+    const wide q6_mmp = v129 + pick_wide(v129 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q6_mmm = pick_wide(-v130 <= -half_turn, all_wide(g2), all_wide(0.0)) - v130;
+    const wide_mask v131 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v132 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v133 = (q4__m < low4) | (high4 < q4__m);
+    const wide v134 = w1 - w1;
+    const wide q3_ppp = v134 + (free_joints[0] + (w4 - w4));
+    const wide q4_ppp = q4__p + v134;
+    const wide q4_mpp = q4__m + v134;
+    const wide_mask v135 = v132 | (v131 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+        (high2 < q2_ppp))));
+    const wide_mask v136 = v132 | (v131 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+        (high2 < q2_pmp))));
+    const wide_mask v137 = v133 | (v131 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+        (high2 < q2_mpp))));
+    const wide_mask v138 = v133 | (v131 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+        (high2 < q2_mmp))));
+    const wide_mask outside_ppp = ((q7_ppp < low7) | (high7 < q7_ppp)) | (((q6_ppp < low6) | (high6
+        < q6_ppp)) | (v135 | ((q5_ppp < low5) | (high5 < q5_ppp))));
+    const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
+        < q6_ppm)) | (v135 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+    const wide_mask outside_pmp = ((q7_pmp < low7) | (high7 < q7_pmp)) | (((q6_pmp < low6) | (high6
+        < q6_pmp)) | (v136 | ((q5_pmp < low5) | (high5 < q5_pmp))));
+    const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
+        < q6_pmm)) | (v136 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+    const wide_mask outside_mpp = ((q7_mpp < low7) | (high7 < q7_mpp)) | (((q6_mpp < low6) | (high6
+        < q6_mpp)) | (v137 | ((q5_mpp < low5) | (high5 < q5_mpp))));
+    const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
+        < q6_mpm)) | (v137 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+    const wide_mask outside_mmp = ((q7_mmp < low7) | (high7 < q7_mmp)) | (((q6_mmp < low6) | (high6
+        < q6_mmp)) | (v138 | ((q5_mmp < low5) | (high5 < q5_mmp))));
+    const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
+        < q6_mmm)) | (v138 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+    const wide_mask v139 = w2_pm <= free_limit_squared2;
+    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w5_mm <= free_limit)) | ((v139 |
+        (w5_mp <= free_limit)) | ((v139 | (w5_pm <= free_limit)) | ((((-(reach_slack1 *
+        (reach_slack1 + v5)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v5) < D1) == 0))) |
+        (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 * (merge_slack2 +
+        v2) < D4) == 0)))) | ((w2_pp <= free_limit_squared2) | (w5_pp <= free_limit)))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    q[6] = q7_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[7] = q1_ppp;
+    q[8] = q2_ppp;
+    q[9] = q3_ppp;
+    q[10] = q4_ppp;
+    q[11] = q5_ppm;
+    q[12] = q6_ppm;
+    q[13] = q7_ppm;
+    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    q[14] = q1_pmp;
+    q[15] = q2_pmp;
+    q[16] = q3_ppp;
+    q[17] = q4_ppp;
+    q[18] = q5_pmp;
+    q[19] = q6_pmp;
+    q[20] = q7_pmp;
+    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    q[21] = q1_pmp;
+    q[22] = q2_pmp;
+    q[23] = q3_ppp;
+    q[24] = q4_ppp;
+    q[25] = q5_pmm;
+    q[26] = q6_pmm;
+    q[27] = q7_pmm;
+    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    q[28] = q1_mpp;
+    q[29] = q2_mpp;
+    q[30] = q3_ppp;
+    q[31] = q4_mpp;
+    q[32] = q5_mpp;
+    q[33] = q6_mpp;
+    q[34] = q7_mpp;
+    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    q[35] = q1_mpp;
+    q[36] = q2_mpp;
+    q[37] = q3_ppp;
+    q[38] = q4_mpp;
+    q[39] = q5_mpm;
+    q[40] = q6_mpm;
+    q[41] = q7_mpm;
+    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    q[42] = q1_mmp;
+    q[43] = q2_mmp;
+    q[44] = q3_ppp;
+    q[45] = q4_mpp;
+    q[46] = q5_mmp;
+    q[47] = q6_mmp;
+    q[48] = q7_mmp;
+    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    q[49] = q1_mmp;
+    q[50] = q2_mmp;
+    q[51] = q3_ppp;
+    q[52] = q4_mpp;
+    q[53] = q5_mmm;
+    q[54] = q6_mmm;
+    q[55] = q7_mmm;
+    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16], const double free_joints[1])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double c3 = cos(free_joints[0]);
+    const double s3 = sin(free_joints[0]);
+
+    /* theta4 */
+    const double wx = T14 - d7 * T13;
+    const double wy = T24 - d7 * T23;
+    const double wz = T34 - d7 * T33;
+    const double v1 = wy * wy;
+    const double Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)));
+    const double D4 = k4 - Z4 * Z4;
+    const double v2 = 2.0 * fabs(Z4);
+    const double w4 = sqrt(D4);
+    const double v3 = k5 * (k1 * Z4);
+    const double v4 = k5 * (k1 * w4);
+
+    /* theta1 */
+    const double Z1 = d5 * (s3 * v4);
+    const double N1 = v1 + -wx * -wx;
+    const double D1 = N1 - Z1 * Z1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double v5 = 2.0 * fabs(Z1);
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v6 = Z1 * -wx;
+    const double v7 = wy * Z1;
+    const double v8 = -wx * w1;
+    const four v9 = e1 * v7;
+    const four v10 = e2 * v8;
+    const four c1 = inverse1 * (v9 - v10);
+    const double v11 = wy * w1;
+    const four v12 = e1 * v6;
+    const four v13 = e2 * v11;
+    const four s1 = inverse1 * (v12 + v13);
+
+    /* theta2 */
+    const double v14 = d5 * (c3 * v4);
+    const double X2_2 = d3 + d5 * v3;
+    const double Z1_2 = wz - d1;
+    const double v15 = v14 * Z1_2;
+    const double v16 = w1 * X2_2;
+    const four v17 = e2 * v16;
+    const four v18 = e1 * v15;
+    const four S2 = v17 - v18;
+    const double v19 = X2_2 * Z1_2;
+    const double v20 = w1 * v14;
+    const four v21 = v19 + v20 * (e1 * e2);
+    const four w2 = sqrt_four(S2 * S2 + v21 * v21);
+    const four factor2 = 1.0 / w2;
+    const four v22 = v21 * factor2;
+    const four s2 = S2 * factor2;
+
+    /* theta5 */
+    const double v23 = c3 * T13;
+    const double v24 = v3 * v23;
+    const double v25 = c3 * T23;
+    const double v26 = v3 * v25;
+    const double v27 = T33 * v4;
+    const double v28 = T13 * v4;
+    const double v29 = T23 * v4;
+    const double v30 = c3 * T33;
+    const double v31 = v3 * v30;
+    const four v32 = T13 * s1 - T23 * c1;
+    const four v33 = s3 * v32;
+    const four v34 = e1 * v27;
+    const four X5 = v3 * v33 + (v22 * (v34 - (c1 * v24 + s1 * v26)) + s2 * (v31 + e1 * (c1 * v28 +
+        s1 * v29)));
+    const double v35 = s3 * T33;
+    const four Y5 = s2 * v35 - v22 * (s3 * (T13 * c1 + T23 * s1)) - c3 * v32;
+    const four w5 = sqrt_four(X5 * X5 + Y5 * Y5);
+    const four factor5 = 1.0 / w5;
+    const four v36 = X5 * factor5;
+    const four s5 = Y5 * factor5;
+    const four q5_p = atan2_four(s5, -v36);
+    const four q5_m = q5_p - copysign_four(all_four(half_turn), s5) * h1;
+
+    /* theta6 */
+    const double v37 = v4 * v23;
+    const double v38 = v4 * v25;
+    const double v39 = T33 * v3;
+    const double v40 = T13 * v3;
+    const double v41 = T23 * v3;
+    const double v42 = v4 * v30;
+    const four v43 = e1 * v42;
+
+    /* theta7 */
+    const double v44 = s3 * T32;
+    const four v45 = s1 * T12 - c1 * T22;
+    const double v46 = v3 * (c3 * T12);
+    const double v47 = v3 * (c3 * T22);
+    const double v48 = v4 * T32;
+    const double v49 = v4 * T12;
+    const double v50 = v4 * T22;
+    const double v51 = v3 * (c3 * T32);
+    const four v52 = e1 * v48;
+    const double v53 = s3 * T31;
+    const four v54 = s1 * T11 - c1 * T21;
+    const double v55 = v3 * (c3 * T11);
+    const double v56 = v3 * (c3 * T21);
+    const double v57 = v4 * T31;
+    const double v58 = v4 * T11;
+    const double v59 = v4 * T21;
+    const double v60 = v3 * (c3 * T31);
+    const four v61 = e1 * v57;
+    const four q7_p = atan2_four(-(v36 * (c3 * v54 - (s2 * v53 - v22 * (s3 * (c1 * T11 + s1 *
+        T21)))) + s5 * (v22 * (v61 - (c1 * v55 + s1 * v56)) + s2 * (v60 + e1 * (c1 * v58 + s1 *
+        v59)) + v3 * (s3 * v54))), -(v36 * (c3 * v45 - (s2 * v44 - v22 * (s3 * (c1 * T12 + s1 *
+        T22)))) + s5 * (v22 * (v52 - (c1 * v46 + s1 * v47)) + s2 * (v51 + e1 * (c1 * v49 + s1 *
+        v50)) + v3 * (s3 * v45))));
+    const four q7_m = q7_p - h1 * copysign_four(all_four(half_turn), -(v36 * (c3 * v54 - (s2 * v53 -
+        v22 * (s3 * (c1 * T11 + s1 * T21)))) + s5 * (v22 * (v61 - (c1 * v55 + s1 * v56)) + s2 * (v60
+        + e1 * (c1 * v58 + s1 * v59)) + v3 * (s3 * v54))));
+
+    /* joint values */
+    const four v62 = atan2_four(s1, c1) - offset1;
+    const four q1_p = v62 + pick_four(v62 <= -half_turn, all_four(g2), all_four(0.0));
+    const four v63 = atan2_four(s2, -v22) - offset2;
+    const four q2_p = v63 + pick_four(v63 <= -half_turn, all_four(g2), all_four(0.0));
+    const four v64 = atan2_four(all_four(-v4), all_four(-v3));
+    const four v65 = e1 * v64 - offset4;
+    const four q4_ = v65 + pick_four(v65 <= -half_turn, all_four(g2), all_four(0.0));
+    const four v66 = atan2_four(w5, e1 * (v4 * v33) - (s2 * (c1 * v40 + s1 * v41 - v43) + v22 * (v39
+        + e1 * (c1 * v37 + s1 * v38))));
+    const four v67 = v66 - offset6;
+    const four v68 = offset6 + v66;
+    const four q6_p = v67 + pick_four(v67 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q6_m = pick_four(-v68 <= -half_turn, all_four(g2), all_four(0.0)) - v68;
+    const int v69 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const four_mask v70 = (q4_ < low4) | (high4 < q4_);
+    const double v71 = w1 - w1;
+    const double q3_p = v71 + (free_joints[0] + (w4 - w4));
+    const four q4_p = q4_ + v71;
+    const four_mask v72 = v70 | ((all_four(v69 ? 1.0 : 0.0) > 0.0) | (((q1_p < low1) | (high1 <
+        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
+    const four_mask outside_p = ((q7_p < low7) | (high7 < q7_p)) | (((q6_p < low6) | (high6 < q6_p))
+        | (v72 | ((q5_p < low5) | (high5 < q5_p))));
+    const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
+        | (v72 | ((q5_m < low5) | (high5 < q5_m))));
+    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v5)) <= D1) & (free1 | ((merge_slack1 *
+        (merge_slack1 + v5) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
+        & ((merge_slack2 * (merge_slack2 + v2) < D4) == 0)));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
+        (w5 <= free_limit));
+
+    if (!(irregularity_double(T, free_joints) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, all_four(q3_p), q4_p);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    wide pose[16], found[56], x[LANES];
+    wide_mask kind[8];
+    wide given[1];
+    for (int i = 0; i < 1; i++)
+        for (int k = 0; k < LANES; k++)
+            given[i][k] = free_joints[1 * k + i];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, given, found, kind);
+    if (56 >= LANES) {
+        for (int i = 0; i < 56; i += LANES) {
+            const int from = i + LANES <= 56 ? i : 56 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 56 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 56; i++)
+            for (int k = 0; k < LANES; k++)
+                q[56 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, free_joints, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
@@ -449,8 +1393,13 @@ int kuka_iiwa14_ik(
     static const double zeros[7] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
     int count = 0;
+    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? KUKA_IIWA14_UNREACHABLE : KUKA_IIWA14_INVALID_POSE;
         for (int i = 0; i < 7; i++)
@@ -506,7 +1455,18 @@ int kuka_iiwa14_ik_nearest(
 void kuka_iiwa14_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)kuka_iiwa14_ik(
+                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
+                    status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)kuka_iiwa14_ik(
             T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
 }

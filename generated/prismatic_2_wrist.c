@@ -32,6 +32,8 @@ static const double f1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double f2 = 0.09800665778412417; /* d3 * cat2 [m] */
 static const double g1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double h1 = 1.0; /* 2 * g1 */
 
 const char *const prismatic_2_wrist_branches[8] = {
     "left-noflip3-noflip4", "left-noflip3-flip4", "left-flip3-noflip4", "left-flip3-flip4",
@@ -208,6 +210,687 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PRISMATIC_2_WRIST_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
+    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
+    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPRISMATIC_2_WRIST_SCALAR. With -DPRISMATIC_2_WRIST_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PRISMATIC_2_WRIST_SCALAR) && !defined(PRISMATIC_2_WRIST_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef PRISMATIC_2_WRIST_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PRISMATIC_2_WRIST_UNREACHABLE) | (~(none) & (outside) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PRISMATIC_2_WRIST_UNREACHABLE : (outside) ? (int)PRISMATIC_2_WRIST_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide wy = T24 - d6 * T23;
+    const wide v1 = sat2 * wy;
+    const wide wx = T14 - d6 * T13;
+    const wide v2 = sat2 * wx;
+    const wide wz = T34 - d6 * T33;
+    const wide Z1 = cat2 * wz - k1;
+    const wide N1 = v1 * v1 + v2 * v2;
+    const wide D1 = N1 - Z1 * Z1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide v3 = 2.0 * abs_wide(Z1);
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v4 = v1 * Z1;
+    const wide v5 = v2 * Z1;
+    const wide v6 = v1 * w1;
+    const wide c1_p = inverse1 * (v6 - v5);
+    const wide v7 = inverse1 * (v5 + v6);
+    const wide v8 = v2 * w1;
+    const wide v9 = inverse1 * (v4 + v8);
+    const wide v10 = inverse1 * (v4 - v8);
+
+    /* theta3 */
+    const wide Z3 = wz - k4;
+    const wide D3 = k5 - Z3 * Z3;
+    const wide v11 = 2.0 * abs_wide(Z3);
+    const wide w3 = sqrt_wide(D3);
+    const wide v12 = k2 * Z3;
+    const wide v13 = k3 * Z3;
+    const wide v14 = k2 * w3;
+    const wide v15 = k6 * (v13 + v14);
+    const wide v16 = k6 * (v13 - v14);
+    const wide v17 = k3 * w3;
+    const wide s3_p = k6 * (v12 - v17);
+    const wide s3_m = k6 * (v12 + v17);
+
+    /* r2 */
+    const wide v18 = a3 * s3_p - d4 * v15;
+    const wide v19 = a3 * s3_m - d4 * v16;
+    const wide v20 = c1_p * -wy - wx * v9;
+    const wide v21 = v7 * -wy + wx * v10;
+
+    /* theta4 */
+    const wide v22 = cat2 * T13;
+    const wide v23 = cat2 * T23;
+    const wide v24 = sat2 * T33;
+    const wide v25 = c1_p * v22 - v9 * v23 - v24;
+    const wide v26 = v24 + (v7 * v22 + v10 * v23);
+    const wide v27 = T13 * v9 + T23 * c1_p;
+    const wide v28 = T13 * v10 - T23 * v7;
+    const wide X4_pp = v15 * v25 - s3_p * v27;
+    const wide X4_pm = v16 * v25 - s3_m * v27;
+    const wide v29 = v15 * v26 + s3_p * v28;
+    const wide v30 = v16 * v26 + s3_m * v28;
+    const wide v31 = sat2 * T13;
+    const wide v32 = sat2 * T23;
+    const wide v33 = cat2 * T33;
+    const wide v34 = v33 + (c1_p * v31 - v9 * v32);
+    const wide v35 = v33 - (v7 * v31 + v10 * v32);
+    const wide v36 = v34 * v34;
+    const wide v37 = v35 * v35;
+    const wide w4_pp = sqrt_wide(v36 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v36 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v37 + v29 * v29);
+    const wide w4_mm = sqrt_wide(v37 + v30 * v30);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v38 = X4_pp * factor4_pp;
+    const wide v39 = X4_pm * factor4_pm;
+    const wide v40 = v29 * factor4_mp;
+    const wide v41 = v30 * factor4_mm;
+    const wide v42 = v34 * factor4_pp;
+    const wide v43 = v34 * factor4_pm;
+    const wide v44 = v35 * factor4_mp;
+    const wide v45 = v35 * factor4_mm;
+    const wide q4_ppp = atan2_wide(-v42, -v38);
+    const wide q4_pmp = atan2_wide(-v43, -v39);
+    const wide q4_mpp = atan2_wide(-v44, v40);
+    const wide q4_mmp = atan2_wide(-v45, v41);
+    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v42) * h1;
+    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v43) * h1;
+    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v44) * h1;
+    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v45) * h1;
+
+    /* theta5 */
+    const wide q5_ppp = atan2_wide(-w4_pp, -(v15 * v27 + s3_p * v25));
+    const wide q5_pmp = atan2_wide(-w4_pm, -(v16 * v27 + s3_m * v25));
+    const wide q5_mpp = atan2_wide(-w4_mp, s3_p * v26 - v15 * v28);
+    const wide q5_mmp = atan2_wide(-w4_mm, s3_m * v26 - v16 * v28);
+
+    /* theta6 */
+    const wide v46 = sat2 * T12;
+    const wide v47 = sat2 * T22;
+    const wide v48 = cat2 * T32;
+    const wide v49 = v48 + (c1_p * v46 - v9 * v47);
+    const wide v50 = v48 - (v7 * v46 + v10 * v47);
+    const wide v51 = cat2 * T12;
+    const wide v52 = cat2 * T22;
+    const wide v53 = sat2 * T32;
+    const wide v54 = c1_p * v51 - v9 * v52 - v53;
+    const wide v55 = v53 + (v7 * v51 + v10 * v52);
+    const wide v56 = c1_p * T22 + v9 * T12;
+    const wide v57 = v10 * T12 - v7 * T22;
+    const wide v58 = sat2 * T11;
+    const wide v59 = sat2 * T21;
+    const wide v60 = cat2 * T31;
+    const wide v61 = v60 + (c1_p * v58 - v9 * v59);
+    const wide v62 = v60 - (v7 * v58 + v10 * v59);
+    const wide v63 = cat2 * T11;
+    const wide v64 = cat2 * T21;
+    const wide v65 = sat2 * T31;
+    const wide v66 = c1_p * v63 - v9 * v64 - v65;
+    const wide v67 = v65 + (v7 * v63 + v10 * v64);
+    const wide v68 = c1_p * T21 + v9 * T11;
+    const wide v69 = v10 * T11 - v7 * T21;
+    const wide v70 = v38 * v61 + v42 * (s3_p * v68 - v15 * v66);
+    const wide v71 = v39 * v61 + v43 * (s3_m * v68 - v16 * v66);
+    const wide v72 = v44 * (s3_p * v69 + v15 * v67) - v40 * v62;
+    const wide v73 = v45 * (s3_m * v69 + v16 * v67) - v41 * v62;
+    const wide q6_ppp = atan2_wide(v70, v38 * v49 + v42 * (s3_p * v56 - v15 * v54));
+    const wide q6_pmp = atan2_wide(v71, v39 * v49 + v43 * (s3_m * v56 - v16 * v54));
+    const wide q6_mpp = atan2_wide(v72, v44 * (s3_p * v57 + v15 * v55) - v40 * v50);
+    const wide q6_mmp = atan2_wide(v73, v45 * (s3_m * v57 + v16 * v55) - v41 * v50);
+    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v70);
+    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v71);
+    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v72);
+    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v73);
+
+    /* joint values */
+    const wide v74 = w3 - w3;
+    const wide q1_ppp = v74 + atan2_wide(-v9, c1_p);
+    const wide q1_mpp = v74 + atan2_wide(-v10, -v7);
+    const wide v75 = w1 - w1;
+    const wide q3_ppp = v75 + atan2_wide(s3_p, -v15);
+    const wide q3_pmp = v75 + atan2_wide(s3_m, -v16);
+    const wide q2_mpp = v21 - v18;
+    const wide q2_mmp = v21 - v19;
+    const wide_mask doubt = (w4_mm <= free_limit) | ((w4_mp <= free_limit) | ((w4_pm <= free_limit)
+        | ((w4_pp <= free_limit) | (((-(reach_slack1 * (reach_slack1 + v11)) <= D3) & ((merge_slack1
+        * (merge_slack1 + v11) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <=
+        D1) & (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))))))));
+
+    q[0] = q1_ppp;
+    q[1] = -(v18 + v20);
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = -(v18 + v20);
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = -q5_ppp;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_ppp;
+    q[13] = -(v19 + v20);
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_ppp;
+    q[19] = -(v19 + v20);
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = -q5_pmp;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = -q5_mpp;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_pmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_pmp;
+    q[45] = q4_mmm;
+    q[46] = -q5_mmp;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double wy = T24 - d6 * T23;
+    const double v1 = sat2 * wy;
+    const double wx = T14 - d6 * T13;
+    const double v2 = sat2 * wx;
+    const double wz = T34 - d6 * T33;
+    const double Z1 = cat2 * wz - k1;
+    const double N1 = v1 * v1 + v2 * v2;
+    const double D1 = N1 - Z1 * Z1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double v3 = 2.0 * fabs(Z1);
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v4 = v1 * Z1;
+    const double v5 = v2 * Z1;
+    const double v6 = v1 * w1;
+    const four c1 = inverse1 * (e1 * v6 - v5);
+    const double v7 = v2 * w1;
+    const four v8 = inverse1 * (v4 + e1 * v7);
+
+    /* theta3 */
+    const double Z3 = wz - k4;
+    const double D3 = k5 - Z3 * Z3;
+    const double v9 = 2.0 * fabs(Z3);
+    const double w3 = sqrt(D3);
+    const double v10 = k2 * Z3;
+    const double v11 = k3 * Z3;
+    const double v12 = k2 * w3;
+    const four v13 = k6 * (v11 + e2 * v12);
+    const double v14 = k3 * w3;
+    const four s3 = k6 * (v10 - e2 * v14);
+
+    /* r2 */
+    const four v15 = a3 * s3 - d4 * v13;
+    const four v16 = c1 * -wy - wx * v8;
+
+    /* theta4 */
+    const double v17 = cat2 * T13;
+    const double v18 = cat2 * T23;
+    const double v19 = sat2 * T33;
+    const four v20 = c1 * v17 - v8 * v18 - v19;
+    const four v21 = T13 * v8 + T23 * c1;
+    const four X4 = v13 * v20 - s3 * v21;
+    const double v22 = sat2 * T13;
+    const double v23 = sat2 * T23;
+    const double v24 = cat2 * T33;
+    const four v25 = v24 + (c1 * v22 - v8 * v23);
+    const four v26 = v25 * v25;
+    const four w4 = sqrt_four(v26 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v27 = X4 * factor4;
+    const four v28 = v25 * factor4;
+    const four q4_p = atan2_four(-v28, -v27);
+    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v28) * h1;
+
+    /* theta5 */
+    const four q5_p = atan2_four(-w4, -(v13 * v21 + s3 * v20));
+
+    /* theta6 */
+    const double v29 = sat2 * T12;
+    const double v30 = sat2 * T22;
+    const double v31 = cat2 * T32;
+    const four v32 = v31 + (c1 * v29 - v8 * v30);
+    const double v33 = cat2 * T12;
+    const double v34 = cat2 * T22;
+    const double v35 = sat2 * T32;
+    const four v36 = c1 * v33 - v8 * v34 - v35;
+    const four v37 = c1 * T22 + v8 * T12;
+    const double v38 = sat2 * T11;
+    const double v39 = sat2 * T21;
+    const double v40 = cat2 * T31;
+    const four v41 = v40 + (c1 * v38 - v8 * v39);
+    const double v42 = cat2 * T11;
+    const double v43 = cat2 * T21;
+    const double v44 = sat2 * T31;
+    const four v45 = c1 * v42 - v8 * v43 - v44;
+    const four v46 = c1 * T21 + v8 * T11;
+    const four v47 = v27 * v41 + v28 * (s3 * v46 - v13 * v45);
+    const four q6_p = atan2_four(v47, v27 * v32 + v28 * (s3 * v37 - v13 * v36));
+    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v47);
+
+    /* joint values */
+    const double v48 = w3 - w3;
+    const four q1_p = v48 + atan2_four(-v8, c1);
+    const double v49 = w1 - w1;
+    const four q3_p = v49 + atan2_four(s3, -v13);
+    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v9)) <= D3) & ((merge_slack1 *
+        (merge_slack1 + v9) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) &
+        (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))));
+    const four_mask doubt = (w4 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v15 + v16), q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v15 + v16), q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -372,8 +1055,13 @@ int prismatic_2_wrist_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? PRISMATIC_2_WRIST_UNREACHABLE : PRISMATIC_2_WRIST_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -427,6 +1115,16 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
 
 void prismatic_2_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)prismatic_2_wrist_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)prismatic_2_wrist_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

@@ -31,6 +31,8 @@ static const double k5 = 0.37290248000000004; /* 2 * D4 * L2 [m^2] */
 static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
 static const double f1 = 0.8636; /* L2 + D4 [m] */
 static const double g1 = 0.8636; /* L2 + D4 [m] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double h1 = 1.0; /* 2 * g1 */
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -211,6 +213,663 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PUMA_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
+    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
+    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPUMA_SCALAR. With -DPUMA_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PUMA_SCALAR) && !defined(PUMA_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef PUMA_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PUMA_UNREACHABLE) | (~(none) & (outside) & PUMA_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PUMA_UNREACHABLE : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide t24 = T24 + D3 * T21 + k1 * T23;
+    const wide t14 = T14 + D3 * T11 + k1 * T13;
+    const wide N1 = t24 * t24 + t14 * t14;
+    const wide D1 = N1 - k2;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = D3 * t24;
+    const wide v2 = D3 * t14;
+    const wide v3 = t24 * w1;
+    const wide c1_p = inverse1 * (v2 + v3);
+    const wide c1_m = inverse1 * (v2 - v3);
+    const wide v4 = t14 * w1;
+    const wide s1_p = inverse1 * (v1 - v4);
+    const wide s1_m = inverse1 * (v1 + v4);
+
+    /* theta3 */
+    const wide t34 = T34 + D3 * T31 + k1 * T33;
+    const wide N3 = t34 * t34 + w1 * w1;
+    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide s3 = k6 * w3;
+    const wide c3 = k6 * (N3 - k5);
+    const wide q3_ppp = atan2_wide(s3, c3);
+
+    /* theta2 */
+    const wide v5 = D4 * s3;
+    const wide Y1_2 = L2 + D4 * c3;
+    const wide v6 = w1 * Y1_2;
+    const wide v7 = t34 * v5;
+    const wide v8 = v6 + v7;
+    const wide v9 = v6 - v7;
+    const wide v10 = t34 * Y1_2;
+    const wide v11 = w1 * v5;
+    const wide C2_pp = v10 - v11;
+    const wide C2_pm = v10 + v11;
+    const wide w2_pp = sqrt_wide(v8 * v8 + C2_pp * C2_pp);
+    const wide v12 = C2_pm * C2_pm;
+    const wide w2_pm = sqrt_wide(v9 * v9 + v12);
+    const wide w2_mp = sqrt_wide(v12 + -v9 * -v9);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_pm = C2_pm * factor2_pm;
+    const wide c2_mp = C2_pm * factor2_mp;
+    const wide v13 = v8 * factor2_pp;
+    const wide v14 = v9 * factor2_pm;
+    const wide v15 = -v9 * factor2_mp;
+    const wide q2_ppp = atan2_wide(-v13, c2_pp);
+    const wide q2_pmp = atan2_wide(-v14, c2_pm);
+    const wide q2_mpp = atan2_wide(-v15, c2_mp);
+    const wide q2_mmp = atan2_wide(v13, c2_pp);
+
+    /* theta4 */
+    const wide c23_pp = c3 * c2_pp + s3 * v13;
+    const wide c23_pm = c3 * c2_pm - s3 * v14;
+    const wide c23_mp = c3 * c2_mp + s3 * v15;
+    const wide s23_pp = s3 * c2_pp - c3 * v13;
+    const wide v16 = s3 * c2_pm + c3 * v14;
+    const wide s23_mp = s3 * c2_mp - c3 * v15;
+    const wide v17 = T13 * s1_p - T23 * c1_p;
+    const wide v18 = T13 * s1_m - T23 * c1_m;
+    const wide X4_pp = c23_pp * v17 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v17 + T33 * v16;
+    const wide X4_mp = c23_mp * v18 - T33 * s23_mp;
+    const wide X4_mm = c23_pp * v18 - T33 * -s23_pp;
+    const wide v19 = T13 * c1_p + T23 * s1_p;
+    const wide v20 = T13 * c1_m + T23 * s1_m;
+    const wide v21 = v19 * v19;
+    const wide v22 = v20 * v20;
+    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v22 + X4_mp * X4_mp);
+    const wide w4_mm = sqrt_wide(v22 + X4_mm * X4_mm);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v23 = X4_pp * factor4_pp;
+    const wide v24 = X4_pm * factor4_pm;
+    const wide v25 = X4_mp * factor4_mp;
+    const wide v26 = X4_mm * factor4_mm;
+    const wide v27 = v19 * factor4_pp;
+    const wide v28 = v19 * factor4_pm;
+    const wide v29 = v20 * factor4_mp;
+    const wide v30 = v20 * factor4_mm;
+    const wide q4_ppp = atan2_wide(-v27, -v23);
+    const wide q4_pmp = atan2_wide(-v28, -v24);
+    const wide q4_mpp = atan2_wide(-v29, -v25);
+    const wide q4_mmp = atan2_wide(-v30, -v26);
+    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v27) * h1;
+    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v28) * h1;
+    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v29) * h1;
+    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v30) * h1;
+
+    /* theta5 */
+    const wide v31 = T33 * c23_pp;
+    const wide q5_ppp = atan2_wide(-w4_pp, v31 + s23_pp * v17);
+    const wide q5_pmp = atan2_wide(-w4_pm, T33 * c23_pm - v16 * v17);
+    const wide q5_mpp = atan2_wide(-w4_mp, T33 * c23_mp + s23_mp * v18);
+    const wide q5_mmp = atan2_wide(-w4_mm, v31 + -s23_pp * v18);
+
+    /* theta6 */
+    const wide v32 = c1_p * T12 + s1_p * T22;
+    const wide v33 = c1_m * T12 + s1_m * T22;
+    const wide v34 = s1_p * T12 - c1_p * T22;
+    const wide v35 = s1_m * T12 - c1_m * T22;
+    const wide v36 = T11 * c1_p + T21 * s1_p;
+    const wide v37 = T11 * c1_m + T21 * s1_m;
+    const wide v38 = T11 * s1_p - T21 * c1_p;
+    const wide v39 = T11 * s1_m - T21 * c1_m;
+    const wide v40 = v23 * v32 + v27 * (s23_pp * T32 - c23_pp * v34);
+    const wide v41 = v24 * v32 - v28 * (v16 * T32 + c23_pm * v34);
+    const wide v42 = v25 * v33 + v29 * (s23_mp * T32 - c23_mp * v35);
+    const wide v43 = v26 * v33 + v30 * (-s23_pp * T32 - c23_pp * v35);
+    const wide q6_ppp = atan2_wide(v40, -(v23 * v36 + v27 * (T31 * s23_pp - c23_pp * v38)));
+    const wide q6_pmp = atan2_wide(v41, v28 * (T31 * v16 + c23_pm * v38) - v24 * v36);
+    const wide q6_mpp = atan2_wide(v42, -(v25 * v37 + v29 * (T31 * s23_mp - c23_mp * v39)));
+    const wide q6_mmp = atan2_wide(v43, -(v26 * v37 + v30 * (T31 * -s23_pp - c23_pp * v39)));
+    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v40);
+    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v43);
+
+    /* joint values */
+    const wide v44 = w3 - w3;
+    const wide q1_ppp = v44 + atan2_wide(s1_p, c1_p);
+    const wide q1_mpp = v44 + atan2_wide(s1_m, c1_m);
+    const wide_mask v45 = w2_pp <= free_limit_squared2;
+    const wide_mask doubt = (v45 | (w4_mm <= free_limit)) | (((w2_mp <= free_limit_squared2) |
+        (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <= free_limit)) |
+        (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) | (v45 |
+        (w4_pp <= free_limit)))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = -q5_ppp;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = -q3_ppp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = -q3_ppp;
+    q[21] = q4_pmm;
+    q[22] = -q5_pmp;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = -q5_mpp;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = -q3_ppp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = -q3_ppp;
+    q[45] = q4_mmm;
+    q[46] = -q5_mmp;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double t24 = T24 + D3 * T21 + k1 * T23;
+    const double t14 = T14 + D3 * T11 + k1 * T13;
+    const double N1 = t24 * t24 + t14 * t14;
+    const double D1 = N1 - k2;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = D3 * t24;
+    const double v2 = D3 * t14;
+    const double v3 = t24 * w1;
+    const four c1 = inverse1 * (v2 + e1 * v3);
+    const double v4 = t14 * w1;
+    const four s1 = inverse1 * (v1 - e1 * v4);
+
+    /* theta3 */
+    const double t34 = T34 + D3 * T31 + k1 * T33;
+    const double N3 = t34 * t34 + w1 * w1;
+    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double s3 = k6 * w3;
+    const double c3 = k6 * (N3 - k5);
+    const four q3_ = atan2_four(all_four(s3), all_four(c3));
+
+    /* theta2 */
+    const double v5 = D4 * s3;
+    const double Y1_2 = L2 + D4 * c3;
+    const double v6 = w1 * Y1_2;
+    const double v7 = t34 * v5;
+    const four v8 = e2 * v7;
+    const four v9 = e1 * v6;
+    const four v10 = v8 + v9;
+    const double v11 = t34 * Y1_2;
+    const double v12 = w1 * v5;
+    const four C2 = v11 - v12 * (e1 * e2);
+    const four w2 = sqrt_four(v10 * v10 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four v13 = v10 * factor2;
+    const four q2_p = atan2_four(-v13, c2);
+
+    /* theta4 */
+    const four c23 = c3 * c2 + e2 * (s3 * v13);
+    const four s23 = e2 * (s3 * c2) - c3 * v13;
+    const four v14 = T13 * s1 - T23 * c1;
+    const four X4 = c23 * v14 - T33 * s23;
+    const four v15 = T13 * c1 + T23 * s1;
+    const four v16 = v15 * v15;
+    const four w4 = sqrt_four(v16 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v17 = X4 * factor4;
+    const four v18 = v15 * factor4;
+    const four q4_p = atan2_four(-v18, -v17);
+    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v18) * h1;
+
+    /* theta5 */
+    const four q5_p = atan2_four(-w4, T33 * c23 + s23 * v14);
+
+    /* theta6 */
+    const four v19 = c1 * T12 + s1 * T22;
+    const four v20 = s1 * T12 - c1 * T22;
+    const four v21 = T11 * c1 + T21 * s1;
+    const four v22 = T11 * s1 - T21 * c1;
+    const four v23 = v17 * v19 + v18 * (s23 * T32 - c23 * v20);
+    const four q6_p = atan2_four(v23, -(v17 * v21 + v18 * (T31 * s23 - c23 * v22)));
+    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v23);
+
+    /* joint values */
+    const four q3_p = e2 * q3_;
+    const double v24 = w3 - w3;
+    const four q1_p = v24 + atan2_four(s1, c1);
+    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
+        (w4 <= free_limit));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -355,8 +1014,13 @@ int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? PUMA_UNREACHABLE : PUMA_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -410,6 +1074,15 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void puma_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)puma_ik(T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)puma_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

@@ -29,6 +29,14 @@ static const float pose_slack = 1e-05f; /* a pose may be rounded by this */
 static const float pose_slack1 = 8e-06f; /* a pose may be rounded by this [m] */
 static const float k1 = 0.25f; /* L1^2 + L2^2 [m^2] */
 static const float k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
+static const float half_turn = 3.1415927f; /* pi [rad] */
+static const float low1 = -2.26893f; /* lowest value of joint 1 */
+static const float high1 = 2.26893f; /* highest value of joint 1 */
+static const float low2 = -2.5307295f; /* lowest value of joint 2 */
+static const float high2 = 2.5307295f; /* highest value of joint 2 */
+static const float low3 = -0.200002f; /* lowest value of joint 3 */
+static const float high3 = 2e-06f; /* highest value of joint 3 */
+static const float m1 = 6.2831855f; /* 2 * half_turn */
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -145,6 +153,194 @@ static int read_pose(const float given[16], float T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef SCARA_F32_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const float odd[11] = {
+    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
+    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
+    -0.050853834f, 0.039229743f, -0.019174544f,
+};
+#endif
+
+#define LANES 1
+typedef float wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysignf
+#define abs_wide fabsf
+#define sqrt_wide sqrtf
+#ifdef SCARA_F32_LIBM
+#define atan2_wide atan2f
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421357f;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853982f), all_wide(0.0f));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707964f - a, a);
+    a = pick_wide(x < 0.0f, 3.1415927f - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#define kind_of(none, outside) \
+    ((none) ? (int)SCARA_F32_UNREACHABLE : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* r3 */
+    const wide t34 = T34 - L4 * T31;
+
+    /* theta124 */
+    const wide w124 = sqrt_wide(T21 * T21 + T11 * T11);
+    const wide_mask free124 = w124 <= free_limit_squared;
+    const wide v1 = 1.0f / w124;
+    const wide c124 = T11 * v1;
+    const wide s124 = T21 * v1;
+    const wide theta124 = atan2_wide(s124, c124);
+
+    /* theta2 */
+    const wide t14 = T14 - L4 * T11;
+    const wide t24 = T24 - L4 * T21;
+    const wide N2 = t14 * t14 + t24 * t24;
+    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
+    const wide s2 = k2 * w2;
+    const wide c2 = k2 * (N2 - k1);
+    const wide q2_ = atan2_wide(s2, c2);
+
+    /* theta1 */
+    const wide X1_1 = L1 + L2 * c2;
+    const wide Y1_1 = L2 * s2;
+    const wide v2 = t24 * X1_1;
+    const wide v3 = t14 * Y1_1;
+    const wide S1_p = v2 - v3;
+    const wide S1_m = v2 + v3;
+    const wide v4 = t14 * X1_1;
+    const wide v5 = t24 * Y1_1;
+    const wide C1_p = v4 + v5;
+    const wide C1_m = v4 - v5;
+    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
+    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
+    const wide_mask free1_p = w1_p <= free_limit_squared2;
+    const wide_mask free1_m = w1_m <= free_limit_squared2;
+    const wide factor1_p = 1.0f / w1_p;
+    const wide factor1_m = 1.0f / w1_m;
+    const wide c1_p = C1_p * factor1_p;
+    const wide c1_m = C1_m * factor1_m;
+    const wide s1_p = S1_p * factor1_p;
+    const wide s1_m = S1_m * factor1_m;
+    const wide q1__p = atan2_wide(s1_p, c1_p);
+    const wide q1__m = atan2_wide(s1_m, c1_m);
+
+    /* is the pose one that the arm can take? */
+    const wide v6 = sqrt_wide(pick_wide((abs_wide(T33 - 1.0f) <= pose_slack) & ((abs_wide(T32) <=
+        pose_slack) & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) &
+        ((abs_wide(T22 - c124) <= pose_slack) & ((abs_wide(T21 - s124) <= pose_slack) &
+        ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c124) <= pose_slack) & (abs_wide(s124 +
+        T12) <= pose_slack)))))))), all_wide(0.0f), all_wide(-1.0f)));
+    const wide v7 = sqrt_wide(pick_wide((abs_wide(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p))
+        <= pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <=
+        pose_slack1), all_wide(0.0f), all_wide(-1.0f)));
+    const wide v8 = sqrt_wide(pick_wide((abs_wide(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m))
+        <= pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <=
+        pose_slack1), all_wide(0.0f), all_wide(-1.0f)));
+
+    /* joint values */
+    const wide v9 = theta124 - (q2_ + q1__p);
+    const wide v10 = theta124 - (q1__m - q2_);
+    const wide_mask v11 = (t34 < low3) | (high3 < t34);
+    const wide v12 = v6 - v6;
+    const wide v13 = v7 - v7;
+    const wide v14 = v8 - v8;
+    const wide q1_p = v13 + (q1__p + v12);
+    const wide q1_m = v14 + (q1__m + v12);
+    const wide q2_p = v13 + (q2_ + v12);
+    const wide q2_m = v14 + (v12 - q2_);
+    const wide v15 = v12 + (t34 + (w2 - w2));
+    const wide q3_p = v13 + v15;
+    const wide q3_m = v14 + v15;
+    const wide q4_p = v13 + (v12 + (v9 - pick_wide(half_turn < v9, all_wide(m1), all_wide(0.0f)) +
+        pick_wide(v9 <= -half_turn, all_wide(m1), all_wide(0.0f))));
+    const wide q4_m = v14 + (v12 + (v10 - pick_wide(half_turn < v10, all_wide(m1), all_wide(0.0f)) +
+        pick_wide(v10 <= -half_turn, all_wide(m1), all_wide(0.0f))));
+    const wide_mask outside_p = v11 | (((q1__p < low1) | (high1 < q1__p)) | ((q2_ < low2) | (high2 <
+        q2_)));
+    const wide_mask outside_m = v11 | (((q1__m < low1) | (high1 < q1__m)) | ((-q2_ < low2) | (high2
+        < -q2_)));
+    const wide_mask doubt = (free1_m | (free124 | free1_m)) | ((free124 | (((shortest2_reach <= N2)
+        & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
+        (free1_p | (free124 | free1_p)));
+
+    q[0] = q1_p;
+    q[1] = q2_p;
+    q[2] = q3_p;
+    q[3] = q4_p;
+    kind[0] = kind_of(q[0] != q[0], outside_p);
+    q[4] = q1_m;
+    q[5] = q2_m;
+    q[6] = q3_m;
+    q[7] = q4_m;
+    kind[1] = kind_of(q[4] != q[4], outside_m);
+    const wide_mask exact = irregularity_wide(T) <= 1e-12f;
+    return (exact == 0) | (doubt);
+}
+
+HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[2])
+{
+    wide_mask kind[2];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 2; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const float T[16], const float seed[4], float q[2][4], unsigned char status[2])
@@ -251,8 +447,13 @@ int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned
     static const float zeros[4] = { 0.0f };
     const float *seed = q_seed ? q_seed : zeros;
     float pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 2; row++) {
         status[row] = valid ? SCARA_F32_UNREACHABLE : SCARA_F32_INVALID_POSE;
         for (int i = 0; i < 4; i++)
@@ -306,6 +507,7 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
 
 void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)scara_f32_ik(T + 16 * k, NULL, (float (*)[4])(q + 8 * k), status + 2 * k);
 }

@@ -558,8 +558,8 @@ int spherical_wrist_general_arm_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    const int valid = read_pose(T, pose);
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE : SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -614,7 +614,8 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
 void spherical_wrist_general_arm_ik_batch(
     size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)spherical_wrist_general_arm_ik(
             T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

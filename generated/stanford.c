@@ -21,6 +21,20 @@ static const double k2 = 0.01787569; /* (d2 - a3)^2 [m^2] */
 static const double k3 = 1.5677662000003437e-14;
 /* merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2] */
 static const double k4 = 1.5677662000000342e-15;
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
+static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
+static const double low2 = -2.9670597293903604; /* lowest value of joint 2 */
+static const double high2 = 2.9670597293903604; /* highest value of joint 2 */
+static const double low3 = 0.304799999; /* lowest value of joint 3 */
+static const double high3 = 1.270000001; /* highest value of joint 3 */
+static const double low4 = -2.9670597293903604; /* lowest value of joint 4 */
+static const double high4 = 2.9670597293903604; /* highest value of joint 4 */
+static const double low5 = -1.5707963277948966; /* lowest value of joint 5 */
+static const double high5 = 1.5707963277948966; /* highest value of joint 5 */
+static const double low6 = -2.9670597293903604; /* lowest value of joint 6 */
+static const double high6 = 2.9670597293903604; /* highest value of joint 6 */
+static const double h1 = 1.0; /* 2 * g1 */
 
 const char *const stanford_branches[8] = {
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
@@ -162,6 +176,622 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef STANFORD_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
+    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
+    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSTANFORD_SCALAR. With -DSTANFORD_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(STANFORD_SCALAR) && !defined(STANFORD_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef STANFORD_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & STANFORD_UNREACHABLE) | (~(none) & (outside) & STANFORD_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)STANFORD_UNREACHABLE : (outside) ? (int)STANFORD_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide N1 = T14 * T14 + T24 * T24;
+    const wide D1 = N1 - k2;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = k1 * T14;
+    const wide v2 = k1 * T24;
+    const wide v3 = T14 * w1;
+    const wide c1_p = inverse1 * (v2 - v3);
+    const wide c1_m = inverse1 * (v2 + v3);
+    const wide v4 = T24 * w1;
+    const wide v5 = inverse1 * (v1 + v4);
+    const wide v6 = inverse1 * (v1 - v4);
+    const wide q1_ppp = atan2_wide(-v5, c1_p);
+    const wide q1_mpp = atan2_wide(-v6, c1_m);
+
+    /* theta2, r3 */
+    const wide Y2_2 = T34 - d1;
+    const wide q3_ppp = sqrt_wide(Y2_2 * Y2_2 + w1 * w1);
+    const wide factor2 = 1.0 / q3_ppp;
+    const wide c2 = Y2_2 * factor2;
+    const wide v7 = w1 * factor2;
+    const wide q2_ppp = atan2_wide(-v7, c2);
+    const wide q2_pmp = q2_ppp - copysign_wide(all_wide(half_turn), -v7) * h1;
+
+    /* theta4 */
+    const wide v8 = v5 * T13 + c1_p * T23;
+    const wide v9 = v6 * T13 + c1_m * T23;
+    const wide v10 = c1_p * T13 - v5 * T23;
+    const wide v11 = c1_m * T13 - v6 * T23;
+    const wide v12 = v7 * T33;
+    const wide v13 = v12 + c2 * v10;
+    const wide v14 = c2 * v11 - v12;
+    const wide w4_p = sqrt_wide(v8 * v8 + v13 * v13);
+    const wide w4_m = sqrt_wide(v9 * v9 + v14 * v14);
+    const wide factor4_p = 1.0 / w4_p;
+    const wide factor4_m = 1.0 / w4_m;
+    const wide c4_p = v8 * factor4_p;
+    const wide c4_m = v9 * factor4_m;
+    const wide v15 = v13 * factor4_p;
+    const wide v16 = v14 * factor4_m;
+    const wide q4_ppp = atan2_wide(-v15, c4_p);
+    const wide q4_mpp = atan2_wide(-v16, c4_m);
+    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), -v15);
+    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -v16);
+
+    /* theta5 */
+    const wide v17 = c2 * T33;
+    const wide q5_ppp = atan2_wide(-w4_p, v17 - v7 * v10);
+    const wide q5_mpp = atan2_wide(-w4_m, v17 + v7 * v11);
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4_p) - q5_ppp;
+    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -w4_m) - q5_mpp;
+
+    /* theta6 */
+    const wide v18 = v7 * T32;
+    const wide v19 = v7 * T31;
+    const wide s6_p = c4_p * (v19 + c2 * (c1_p * T11 - v5 * T21)) - v15 * (c1_p * T21 + v5 * T11);
+    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v6 * T21) - v19) - v16 * (c1_m * T21 + v6 * T11);
+    const wide q6_ppp = atan2_wide(s6_p, c4_p * (v18 + c2 * (c1_p * T12 - v5 * T22)) - v15 * (c1_p *
+        T22 + v5 * T12));
+    const wide q6_mpp = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v6 * T22) - v18) - v16 * (c1_m *
+        T22 + v6 * T12));
+    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), s6_p);
+    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), s6_m);
+
+    /* joint values */
+    const wide_mask v20 = (q1_ppp < low1) | (high1 < q1_ppp);
+    const wide_mask v21 = (q1_mpp < low1) | (high1 < q1_mpp);
+    const wide_mask v22 = (q3_ppp < low3) | (high3 < q3_ppp);
+    const wide_mask v23 = (-q3_ppp < low3) | (high3 < -q3_ppp);
+    const wide_mask v24 = v22 | (v20 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v25 = v23 | (v20 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v26 = v22 | (v21 | ((-q2_ppp < low2) | (high2 < -q2_ppp)));
+    const wide_mask v27 = v23 | (v21 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
+    const wide_mask v28 = (q6_ppp < low6) | (high6 < q6_ppp);
+    const wide_mask outside_ppp = v28 | (((q5_ppp < low5) | (high5 < q5_ppp)) | (v24 | ((q4_ppp <
+        low4) | (high4 < q4_ppp))));
+    const wide_mask v29 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask outside_ppm = v29 | (((-q5_ppp < low5) | (high5 < -q5_ppp)) | (v24 | ((q4_ppm <
+        low4) | (high4 < q4_ppm))));
+    const wide_mask outside_pmp = v29 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v25 | ((-q4_ppp <
+        low4) | (high4 < -q4_ppp))));
+    const wide_mask outside_pmm = v28 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v25 | ((-q4_ppm <
+        low4) | (high4 < -q4_ppm))));
+    const wide_mask v30 = (q6_mpp < low6) | (high6 < q6_mpp);
+    const wide_mask outside_mpp = v30 | (((q5_mpp < low5) | (high5 < q5_mpp)) | (v26 | ((q4_mpp <
+        low4) | (high4 < q4_mpp))));
+    const wide_mask v31 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask outside_mpm = v31 | (((-q5_mpp < low5) | (high5 < -q5_mpp)) | (v26 | ((q4_mpm <
+        low4) | (high4 < q4_mpm))));
+    const wide_mask outside_mmp = v31 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v27 | ((-q4_mpp <
+        low4) | (high4 < -q4_mpp))));
+    const wide_mask outside_mmm = v30 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v27 | ((-q4_mpm <
+        low4) | (high4 < -q4_mpm))));
+    const wide_mask doubt = (w4_m <= free_limit) | ((w4_p <= free_limit) | ((q3_ppp <= free_limit1)
+        | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = -q5_ppp;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = -q3_ppp;
+    q[15] = -q4_ppp;
+    q[16] = q5_pmp;
+    q[17] = q6_ppm;
+    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = -q3_ppp;
+    q[21] = -q4_ppm;
+    q[22] = -q5_pmp;
+    q[23] = q6_ppp;
+    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[24] = q1_mpp;
+    q[25] = -q2_ppp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    q[30] = q1_mpp;
+    q[31] = -q2_ppp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = -q5_mpp;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[36] = q1_mpp;
+    q[37] = -q2_pmp;
+    q[38] = -q3_ppp;
+    q[39] = -q4_mpp;
+    q[40] = q5_mmp;
+    q[41] = q6_mpm;
+    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    q[42] = q1_mpp;
+    q[43] = -q2_pmp;
+    q[44] = -q3_ppp;
+    q[45] = -q4_mpm;
+    q[46] = -q5_mmp;
+    q[47] = q6_mpp;
+    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double g1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double N1 = T14 * T14 + T24 * T24;
+    const double D1 = N1 - k2;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = k1 * T14;
+    const double v2 = k1 * T24;
+    const double v3 = T14 * w1;
+    const four c1 = inverse1 * (v2 - e1 * v3);
+    const double v4 = T24 * w1;
+    const four v5 = inverse1 * (v1 + e1 * v4);
+    const four q1_p = atan2_four(-v5, c1);
+
+    /* theta2, r3 */
+    const double Y2_2 = T34 - d1;
+    const double w3 = sqrt(Y2_2 * Y2_2 + w1 * w1);
+    const double factor2 = 1.0 / w3;
+    const double c2 = Y2_2 * factor2;
+    const double v6 = w1 * factor2;
+    const four v7 = atan2_four(all_four(-v6), all_four(c2));
+    const double v8 = copysign(half_turn, -v6);
+    const four v9 = e2 - 1.0;
+    const four v10 = g1 * v9;
+    const four q2_ = v7 + v8 * v10;
+
+    /* theta4 */
+    const four v11 = v5 * T13 + c1 * T23;
+    const four v12 = c1 * T13 - v5 * T23;
+    const double v13 = v6 * T33;
+    const four v14 = c2 * v12 + e1 * v13;
+    const four w4 = sqrt_four(v11 * v11 + v14 * v14);
+    const four factor4 = 1.0 / w4;
+    const four c4 = v11 * factor4;
+    const four v15 = v14 * factor4;
+    const four q4__p = atan2_four(-v15, c4);
+    const four q4__m = q4__p - copysign_four(all_four(half_turn), -v15) * h1;
+
+    /* theta5 */
+    const double v16 = c2 * T33;
+    const four v17 = atan2_four(-w4, v16 - e1 * (v6 * v12));
+    const four v18 = copysign_four(all_four(half_turn), -w4);
+    const four v19 = g1 * -v9;
+    const four q5_p = e2 * v17 + v18 * v19;
+
+    /* theta6 */
+    const double v20 = v6 * T32;
+    const double v21 = v6 * T31;
+    const four s6 = c4 * (c2 * (c1 * T11 - v5 * T21) + e1 * v21) - v15 * (c1 * T21 + v5 * T11);
+    const four v22 = atan2_four(s6, c4 * (c2 * (c1 * T12 - v5 * T22) + e1 * v20) - v15 * (c1 * T22 +
+        v5 * T12));
+    const four v23 = copysign_four(all_four(half_turn), s6);
+    const four v24 = g1 * (e2 + 1.0);
+    const four q6_p = v22 + v10 * v23;
+    const four q6_m = v22 - v23 * v24;
+
+    /* joint values */
+    const four q2_p = e1 * q2_;
+    const four q3_p = e2 * w3;
+    const four q4_p = e2 * q4__p;
+    const four q4_m = e2 * q4__m;
+    const four_mask v25 = (q1_p < low1) | (high1 < q1_p);
+    const four_mask v26 = (q3_p < low3) | (high3 < q3_p);
+    const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
+        | (v27 | ((q4_p < low4) | (high4 < q4_p))));
+    const four_mask outside_m = ((q6_m < low6) | (high6 < q6_m)) | (((-q5_p < low5) | (high5 <
+        -q5_p)) | (v27 | ((q4_m < low4) | (high4 < q4_m))));
+    const int doubt1 = (w3 <= free_limit1) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
+    const four_mask doubt = (w4 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -288,8 +918,13 @@ int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsign
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? STANFORD_UNREACHABLE : STANFORD_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -343,6 +978,15 @@ int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void stanford_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)stanford_ik(T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)stanford_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

@@ -32,6 +32,9 @@ static const float k2 = 2.6032615e-07f; /* reach_slack1 * (2 * d4 + reach_slack1
 static const float k3 = 2.6032486e-08f; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
 static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
 static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
+static const float half_turn = 3.1415927f; /* pi [rad] */
+static const float m2 = 6.2831855f; /* 2 * half_turn */
+static const float h1 = 1.0f; /* 2 * m1 */
 
 const char *const ur5_f32_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -216,6 +219,370 @@ static int read_pose(const float given[16], float T[16])
         straighten(T);
     }
     return 1;
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef UR5_F32_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const float odd[11] = {
+    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
+    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
+    -0.050853834f, 0.039229743f, -0.019174544f,
+};
+#endif
+
+#define LANES 1
+typedef float wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysignf
+#define abs_wide fabsf
+#define sqrt_wide sqrtf
+#ifdef UR5_F32_LIBM
+#define atan2_wide atan2f
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421357f;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853982f), all_wide(0.0f));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707964f - a, a);
+    a = pick_wide(x < 0.0f, 3.1415927f - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#define kind_of(none, outside) \
+    ((none) ? (int)UR5_F32_UNREACHABLE : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = T24 - d6 * T23;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0f / N1;
+    const wide v1 = d4 * X1;
+    const wide v2 = d4 * wy;
+    const wide v3 = X1 * w1;
+    const wide v4 = inverse1 * (v2 + v3);
+    const wide v5 = inverse1 * (v2 - v3);
+    const wide v6 = wy * w1;
+    const wide s1_p = inverse1 * (v6 - v1);
+    const wide v7 = inverse1 * (v1 + v6);
+    const wide q1__p = atan2_wide(s1_p, -v4);
+    const wide q1__m = atan2_wide(-v7, -v5);
+
+    /* theta6 */
+    const wide v8 = v4 * T21 + s1_p * T11;
+    const wide v9 = v5 * T21 - v7 * T11;
+    const wide v10 = v4 * T22 + s1_p * T12;
+    const wide v11 = v5 * T22 - v7 * T12;
+    const wide w6_p = sqrt_wide(v8 * v8 + v10 * v10);
+    const wide w6_m = sqrt_wide(v9 * v9 + v11 * v11);
+    const wide factor6_p = 1.0f / w6_p;
+    const wide factor6_m = 1.0f / w6_m;
+    const wide c6_p = v8 * factor6_p;
+    const wide c6_m = v9 * factor6_m;
+    const wide v12 = v10 * factor6_p;
+    const wide v13 = v11 * factor6_m;
+    const wide v14 = atan2_wide(-v12, c6_p);
+    const wide v15 = atan2_wide(-v13, c6_m);
+
+    /* theta5 */
+    const wide c5_p = T13 * s1_p + T23 * v4;
+    const wide c5_m = T23 * v5 - T13 * v7;
+    const wide q5__p = atan2_wide(w6_p, c5_p);
+    const wide q5__m = atan2_wide(w6_m, c5_m);
+
+    /* theta234 */
+    const wide c234_p = c6_p * T32 - v12 * T31;
+    const wide c234_m = c6_m * T32 - v13 * T31;
+    const wide s234_p = c5_p * (c6_p * T31 + v12 * T32) - w6_p * T33;
+    const wide s234_m = c5_m * (c6_m * T31 + v13 * T32) - w6_m * T33;
+    const wide theta234_pp = atan2_wide(s234_p, c234_p);
+    const wide theta234_mp = atan2_wide(s234_m, c234_m);
+    const wide theta234_pm = theta234_pp - h1 * copysign_wide(all_wide(half_turn), s234_p);
+    const wide theta234_mm = theta234_mp - h1 * copysign_wide(all_wide(half_turn), s234_m);
+
+    /* theta3 */
+    const wide v16 = d6 * w6_p;
+    const wide v17 = d6 * w6_m;
+    const wide v18 = T34 - d1;
+    const wide v19 = d5 * c234_p;
+    const wide v20 = d5 * c234_m;
+    const wide v21 = s234_p * v16;
+    const wide v22 = s234_m * v17;
+    const wide Z1_3_pp = v18 + (v19 + v21);
+    const wide Z1_3_pm = v18 + (v21 - v19);
+    const wide Z1_3_mp = v18 + (v20 + v22);
+    const wide Z1_3_mm = v18 + (v22 - v20);
+    const wide v23 = T24 * s1_p - T14 * v4;
+    const wide v24 = T24 * v7 + T14 * v5;
+    const wide v25 = c234_p * v16;
+    const wide v26 = c234_m * v17;
+    const wide v27 = d5 * s234_p;
+    const wide v28 = d5 * s234_m;
+    const wide Z2_3_pp = v23 + (v25 - v27);
+    const wide Z2_3_pm = v23 + (v25 + v27);
+    const wide Z2_3_mp = v26 - v28 - v24;
+    const wide Z2_3_mm = v26 + v28 - v24;
+    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
+    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
+    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
+    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
+    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
+    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
+    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
+    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
+    const wide s3_pp = k5 * w3_pp;
+    const wide s3_pm = k5 * w3_pm;
+    const wide s3_mp = k5 * w3_mp;
+    const wide s3_mm = k5 * w3_mm;
+    const wide c3_pp = k5 * (N3_pp - k4);
+    const wide c3_pm = k5 * (N3_pm - k4);
+    const wide c3_mp = k5 * (N3_mp - k4);
+    const wide c3_mm = k5 * (N3_mm - k4);
+    const wide q3_ppp = atan2_wide(s3_pp, c3_pp);
+    const wide q3_pmp = atan2_wide(s3_pm, c3_pm);
+    const wide q3_mpp = atan2_wide(s3_mp, c3_mp);
+    const wide q3_mmp = atan2_wide(s3_mm, c3_mm);
+
+    /* theta2 */
+    const wide X1_2_pp = a2 + a3 * c3_pp;
+    const wide X1_2_pm = a2 + a3 * c3_pm;
+    const wide X1_2_mp = a2 + a3 * c3_mp;
+    const wide X1_2_mm = a2 + a3 * c3_mm;
+    const wide Y1_2_pp = a3 * s3_pp;
+    const wide Y1_2_pm = a3 * s3_pm;
+    const wide Y1_2_mp = a3 * s3_mp;
+    const wide Y1_2_mm = a3 * s3_mm;
+    const wide v29 = Z1_3_pp * X1_2_pp;
+    const wide v30 = Z1_3_pm * X1_2_pm;
+    const wide v31 = Z1_3_mp * X1_2_mp;
+    const wide v32 = Z1_3_mm * X1_2_mm;
+    const wide v33 = Z2_3_pp * Y1_2_pp;
+    const wide v34 = Z2_3_pm * Y1_2_pm;
+    const wide v35 = Z2_3_mp * Y1_2_mp;
+    const wide v36 = Z2_3_mm * Y1_2_mm;
+    const wide S2_ppp = v29 - v33;
+    const wide S2_ppm = v29 + v33;
+    const wide S2_pmp = v30 - v34;
+    const wide S2_pmm = v30 + v34;
+    const wide S2_mpp = v31 - v35;
+    const wide S2_mpm = v31 + v35;
+    const wide S2_mmp = v32 - v36;
+    const wide S2_mmm = v32 + v36;
+    const wide v37 = Z2_3_pp * X1_2_pp;
+    const wide v38 = Z2_3_pm * X1_2_pm;
+    const wide v39 = Z2_3_mp * X1_2_mp;
+    const wide v40 = Z2_3_mm * X1_2_mm;
+    const wide v41 = Z1_3_pp * Y1_2_pp;
+    const wide v42 = Z1_3_pm * Y1_2_pm;
+    const wide v43 = Z1_3_mp * Y1_2_mp;
+    const wide v44 = Z1_3_mm * Y1_2_mm;
+    const wide C2_ppp = v37 + v41;
+    const wide C2_ppm = v37 - v41;
+    const wide C2_pmp = v38 + v42;
+    const wide C2_pmm = v38 - v42;
+    const wide C2_mpp = v39 + v43;
+    const wide C2_mpm = v39 - v43;
+    const wide C2_mmp = v40 + v44;
+    const wide C2_mmm = v40 - v44;
+    const wide w2_ppp = sqrt_wide(S2_ppp * S2_ppp + C2_ppp * C2_ppp);
+    const wide w2_ppm = sqrt_wide(S2_ppm * S2_ppm + C2_ppm * C2_ppm);
+    const wide w2_pmp = sqrt_wide(S2_pmp * S2_pmp + C2_pmp * C2_pmp);
+    const wide w2_pmm = sqrt_wide(S2_pmm * S2_pmm + C2_pmm * C2_pmm);
+    const wide w2_mpp = sqrt_wide(S2_mpp * S2_mpp + C2_mpp * C2_mpp);
+    const wide w2_mpm = sqrt_wide(S2_mpm * S2_mpm + C2_mpm * C2_mpm);
+    const wide w2_mmp = sqrt_wide(S2_mmp * S2_mmp + C2_mmp * C2_mmp);
+    const wide w2_mmm = sqrt_wide(S2_mmm * S2_mmm + C2_mmm * C2_mmm);
+    const wide factor2_ppp = 1.0f / w2_ppp;
+    const wide factor2_ppm = 1.0f / w2_ppm;
+    const wide factor2_pmp = 1.0f / w2_pmp;
+    const wide factor2_pmm = 1.0f / w2_pmm;
+    const wide factor2_mpp = 1.0f / w2_mpp;
+    const wide factor2_mpm = 1.0f / w2_mpm;
+    const wide factor2_mmp = 1.0f / w2_mmp;
+    const wide factor2_mmm = 1.0f / w2_mmm;
+    const wide q2_ppp = atan2_wide(S2_ppp * factor2_ppp, C2_ppp * factor2_ppp);
+    const wide q2_ppm = atan2_wide(S2_ppm * factor2_ppm, C2_ppm * factor2_ppm);
+    const wide q2_pmp = atan2_wide(S2_pmp * factor2_pmp, C2_pmp * factor2_pmp);
+    const wide q2_pmm = atan2_wide(S2_pmm * factor2_pmm, C2_pmm * factor2_pmm);
+    const wide q2_mpp = atan2_wide(S2_mpp * factor2_mpp, C2_mpp * factor2_mpp);
+    const wide q2_mpm = atan2_wide(S2_mpm * factor2_mpm, C2_mpm * factor2_mpm);
+    const wide q2_mmp = atan2_wide(S2_mmp * factor2_mmp, C2_mmp * factor2_mmp);
+    const wide q2_mmm = atan2_wide(S2_mmm * factor2_mmm, C2_mmm * factor2_mmm);
+
+    /* joint values */
+    const wide v45 = theta234_pp - (q3_ppp + q2_ppp);
+    const wide v46 = theta234_pp - (q2_ppm - q3_ppp);
+    const wide v47 = theta234_pm - (q3_pmp + q2_pmp);
+    const wide v48 = theta234_pm - (q2_pmm - q3_pmp);
+    const wide v49 = theta234_mp - (q3_mpp + q2_mpp);
+    const wide v50 = theta234_mp - (q2_mpm - q3_mpp);
+    const wide v51 = theta234_mm - (q3_mmp + q2_mmp);
+    const wide v52 = theta234_mm - (q2_mmm - q3_mmp);
+    const wide q4_ppp = v45 - pick_wide(half_turn < v45, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_ppm = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_pmp = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_pmm = v48 - pick_wide(half_turn < v48, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_mpp = v49 - pick_wide(half_turn < v49, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_mpm = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_mmp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide q4_mmm = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0f)) +
+        pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0f));
+    const wide v53 = w3_pp - w3_pp;
+    const wide v54 = w3_pm - w3_pm;
+    const wide v55 = w3_mp - w3_mp;
+    const wide v56 = w3_mm - w3_mm;
+    const wide q1_ppp = q1__p + v53;
+    const wide q1_pmp = q1__p + v54;
+    const wide q1_mpp = q1__m + v55;
+    const wide q1_mmp = q1__m + v56;
+    const wide q5_ppp = q5__p + v53;
+    const wide q5_pmp = v54 - q5__p;
+    const wide q5_mpp = q5__m + v55;
+    const wide q5_mmp = v56 - q5__m;
+    const wide q6_ppp = v14 + v53;
+    const wide q6_pmp = v54 + (v14 - copysign_wide(all_wide(half_turn), -v12) * h1);
+    const wide q6_mpp = v15 + v55;
+    const wide q6_mmp = v56 + (v15 - copysign_wide(all_wide(half_turn), -v13) * h1);
+    const wide_mask doubt = (w2_mmm <= free_limit_squared2) | ((w2_mmp <= free_limit_squared2) |
+        ((w2_mpm <= free_limit_squared2) | ((w2_mpp <= free_limit_squared2) | ((w2_pmm <=
+        free_limit_squared2) | ((w2_pmp <= free_limit_squared2) | ((w2_ppm <= free_limit_squared2) |
+        ((w2_ppp <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm <=
+        longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) &
+        (N3_mp < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <=
+        longest3_reach)) & (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) &
+        (N3_pp < longest3_apart)) == 0)) | ((w6_m <= free_limit) | ((w6_p <= free_limit) | (free1 |
+        ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))))))))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppm;
+    q[8] = -q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppp;
+    q[11] = q6_ppp;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_pmp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_pmp;
+    q[19] = q2_pmm;
+    q[20] = -q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmp;
+    q[23] = q6_pmp;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_mpp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpm;
+    q[32] = -q3_mpp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpp;
+    q[35] = q6_mpp;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mmp;
+    q[37] = q2_mmp;
+    q[38] = q3_mmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mmp;
+    q[43] = q2_mmm;
+    q[44] = -q3_mmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmp;
+    q[47] = q6_mmp;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-12f;
+    return (exact == 0) | (doubt);
+}
+
+HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
 }
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
@@ -442,8 +809,13 @@ int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned c
     static const float zeros[6] = { 0.0f };
     const float *seed = q_seed ? q_seed : zeros;
     float pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? UR5_F32_UNREACHABLE : UR5_F32_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -504,6 +876,7 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 
 void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)ur5_f32_ik(T + 16 * k, NULL, (float (*)[6])(q + 48 * k), status + 8 * k);
 }

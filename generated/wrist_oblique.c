@@ -156,6 +156,598 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef WRIST_OBLIQUE_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
+    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
+    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DWRIST_OBLIQUE_SCALAR. With -DWRIST_OBLIQUE_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(WRIST_OBLIQUE_SCALAR) && !defined(WRIST_OBLIQUE_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef WRIST_OBLIQUE_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & WRIST_OBLIQUE_UNREACHABLE) | (~(none) & (outside) & WRIST_OBLIQUE_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)WRIST_OBLIQUE_UNREACHABLE : (outside) ? (int)WRIST_OBLIQUE_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide v1 = k1 * (sqrt3 * T14);
+    const wide Y1 = k1 * (sqrt3 * T24);
+    const wide Z1 = k1 * (T34 - k2);
+    const wide N1 = v1 * v1 + Y1 * Y1;
+    const wide D1 = N1 - Z1 * Z1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide v2 = 2.0 * abs_wide(Z1);
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v3 = v1 * Z1;
+    const wide v4 = Y1 * Z1;
+    const wide v5 = v1 * w1;
+    const wide c1_p = inverse1 * (v4 + v5);
+    const wide c1_m = inverse1 * (v4 - v5);
+    const wide v6 = Y1 * w1;
+    const wide s1_p = inverse1 * (v6 - v3);
+    const wide v7 = inverse1 * (v3 + v6);
+
+    /* theta3 */
+    const wide v8 = sqrt3 * T22;
+    const wide v9 = sqrt3 * T12;
+    const wide v10 = sqrt3 * T21;
+    const wide v11 = sqrt3 * T11;
+    const wide S3_p = sa2 * (k1 * (T31 + (s1_p * v11 - c1_p * v10)));
+    const wide S3_m = sa2 * (k1 * (T31 - (v7 * v11 + c1_m * v10)));
+    const wide C3_p = sa2 * (k1 * (T32 + (s1_p * v9 - c1_p * v8)));
+    const wide C3_m = sa2 * (k1 * (T32 - (v7 * v9 + c1_m * v8)));
+    const wide w3_p = sqrt_wide(S3_p * S3_p + C3_p * C3_p);
+    const wide w3_m = sqrt_wide(S3_m * S3_m + C3_m * C3_m);
+    const wide v12 = 1.0 / w3_p;
+    const wide v13 = 1.0 / w3_m;
+    const wide v14 = C3_p * v12;
+    const wide v15 = C3_m * v13;
+    const wide v16 = S3_p * v12;
+    const wide v17 = S3_m * v13;
+
+    /* theta2 */
+    const wide v18 = k4 * (T32 * v16 - T31 * v14);
+    const wide v19 = k4 * (T32 * v17 - T31 * v15);
+    const wide v20 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v21 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v22 = v20 * v20;
+    const wide w2_p = sqrt_wide(v22 + v18 * v18);
+    const wide w2_m = sqrt_wide(v22 + v19 * v19);
+    const wide factor2_p = v21 / w2_p;
+    const wide factor2_m = v21 / w2_m;
+    const wide v23 = v20 * factor2_p;
+    const wide v24 = v20 * factor2_m;
+    const wide v25 = v18 * factor2_p;
+    const wide v26 = v19 * factor2_m;
+
+    /* is the pose one that the arm can take? */
+    const wide v27 = 2.0 * c1_p;
+    const wide v28 = 2.0 * c1_m;
+    const wide v29 = ca2 * s1_p;
+    const wide v30 = ca2 * v7;
+    const wide v31 = s1_p * v14;
+    const wide v32 = v7 * v15;
+    const wide v33 = ca2 * c1_p;
+    const wide v34 = ca2 * c1_m;
+    const wide v35 = 2.0 * v33;
+    const wide v36 = 2.0 * v34;
+    const wide v37 = s1_p * v16;
+    const wide v38 = v7 * v17;
+    const wide v39 = sa2 * s1_p;
+    const wide v40 = sa2 * v7;
+    const wide v41 = sa2 * c1_p;
+    const wide v42 = sa2 * c1_m;
+    const wide v43 = v23 * v39 + v25 * (2.0 * v41) + ca2 * (sqrt3 * s1_p);
+    const wide v44 = v26 * (2.0 * v42) - v24 * v40 - ca2 * (sqrt3 * v7);
+    const wide v45 = 2.0 * s1_p;
+    const wide v46 = 2.0 * v7;
+    const wide v47 = c1_p * v14;
+    const wide v48 = c1_m * v15;
+    const wide v49 = 2.0 * v29;
+    const wide v50 = 2.0 * v30;
+    const wide v51 = c1_p * v16;
+    const wide v52 = c1_m * v17;
+    const wide v53 = v25 * (2.0 * v39) - v23 * v41 - ca2 * (sqrt3 * c1_p);
+    const wide v54 = v26 * (2.0 * v40) + v24 * v42 + ca2 * (sqrt3 * c1_m);
+    const wide v55 = sqrt3 * v16;
+    const wide v56 = sqrt3 * v17;
+    const wide v57 = sqrt3 * v14;
+    const wide v58 = sqrt3 * v15;
+    const wide v59 = ca2 - k3 * v23;
+    const wide v60 = ca2 - k3 * v24;
+    const wide v61 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (d3 * v59)) <= pose_slack1) &
+        ((abs_wide(T33 - k1 * v59) <= pose_slack) & ((abs_wide(T32 - k1 * (v23 * (ca2 * v57) - v25 *
+        v55 + sa2 * v14)) <= pose_slack) & ((abs_wide(T31 - k1 * (v23 * (ca2 * v55) + v25 * v57 +
+        sa2 * v16)) <= pose_slack) & ((abs_wide(T24 - k1 * (d3 * v53)) <= pose_slack1) &
+        ((abs_wide(T23 - k1 * v53) <= pose_slack) & ((abs_wide(T22 + k1 * (v23 * (v16 * v45 - v14 *
+        v33) + v25 * (v51 + v14 * v49) + sa2 * (sqrt3 * v47))) <= pose_slack) & ((abs_wide(T21 - k1
+        * (v23 * (v14 * v45 + v16 * v33) - v25 * (v16 * v49 - v47) - sa2 * (sqrt3 * v51))) <=
+        pose_slack) & ((abs_wide(T14 - k1 * (d3 * v43)) <= pose_slack1) & ((abs_wide(T13 - k1 * v43)
+        <= pose_slack) & ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v37) - (v23 * (v16 * v29 - v14 * v27)
+        + v25 * (v31 + v16 * v35)))) <= pose_slack) & (abs_wide(T12 + k1 * (v23 * (v14 * v29 + v16 *
+        v27) - v25 * (v37 - v14 * v35) - sa2 * (sqrt3 * v31))) <= pose_slack))))))))))),
+        all_wide(0.0), all_wide(-1.0)));
+    const wide v62 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (d3 * v60)) <= pose_slack1) &
+        ((abs_wide(T33 - k1 * v60) <= pose_slack) & ((abs_wide(T32 - k1 * (v24 * (ca2 * v58) - v26 *
+        v56 + sa2 * v15)) <= pose_slack) & ((abs_wide(T31 - k1 * (v24 * (ca2 * v56) + v26 * v58 +
+        sa2 * v17)) <= pose_slack) & ((abs_wide(T24 + k1 * (d3 * v54)) <= pose_slack1) &
+        ((abs_wide(T23 + k1 * v54) <= pose_slack) & ((abs_wide(T22 + k1 * (v26 * (v52 - v15 * v50) -
+        v24 * (v17 * v46 + v15 * v34) + sa2 * (sqrt3 * v48))) <= pose_slack) & ((abs_wide(T21 - k1 *
+        (v24 * (v17 * v34 - v15 * v46) + v26 * (v48 + v17 * v50) - sa2 * (sqrt3 * v52))) <=
+        pose_slack) & ((abs_wide(T14 - k1 * (d3 * v44)) <= pose_slack1) & ((abs_wide(T13 - k1 * v44)
+        <= pose_slack) & ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v38) + (v26 * (v17 * v36 - v32) - v24
+        * (v17 * v30 + v15 * v28)))) <= pose_slack) & (abs_wide(T12 + k1 * (v24 * (v17 * v28 - v15 *
+        v30) + v26 * (v38 + v15 * v36) + sa2 * (sqrt3 * v32))) <= pose_slack))))))))))),
+        all_wide(0.0), all_wide(-1.0)));
+
+    /* joint values */
+    const wide v63 = v61 - v61;
+    const wide v64 = v62 - v62;
+    const wide q1_p = v63 + atan2_wide(s1_p, c1_p);
+    const wide q1_m = v64 + atan2_wide(-v7, c1_m);
+    const wide q2_p = v63 + atan2_wide(-v25, -v23);
+    const wide q2_m = v64 + atan2_wide(-v26, -v24);
+    const wide q3_p = v63 + atan2_wide(-v16, -v14);
+    const wide q3_m = v64 + atan2_wide(-v17, -v15);
+    const wide_mask doubt = ((w3_m <= free_limit_squared) | (w2_m <= free_limit_squared)) | ((free1
+        | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 +
+        v2) < D1) == 0)))) | ((w3_p <= free_limit_squared) | (w2_p <= free_limit_squared)));
+
+    q[0] = q1_p;
+    q[1] = q2_p;
+    q[2] = q3_p;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = q1_m;
+    q[4] = q2_m;
+    q[5] = q3_m;
+    kind[1] = kind_of(q[3] != q[3], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
+{
+    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double v1 = k1 * (sqrt3 * T14);
+    const double Y1 = k1 * (sqrt3 * T24);
+    const double Z1 = k1 * (T34 - k2);
+    const double N1 = v1 * v1 + Y1 * Y1;
+    const double D1 = N1 - Z1 * Z1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double v2 = 2.0 * fabs(Z1);
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v3 = v1 * Z1;
+    const double v4 = Y1 * Z1;
+    const double v5 = v1 * w1;
+    const four c1 = inverse1 * (v4 + e1 * v5);
+    const double v6 = Y1 * w1;
+    const four s1 = inverse1 * (e1 * v6 - v3);
+
+    /* theta3 */
+    const double v7 = sqrt3 * T22;
+    const double v8 = sqrt3 * T12;
+    const double v9 = sqrt3 * T21;
+    const double v10 = sqrt3 * T11;
+    const four S3 = sa2 * (k1 * (T31 + (s1 * v10 - c1 * v9)));
+    const four C3 = sa2 * (k1 * (T32 + (s1 * v8 - c1 * v7)));
+    const four w3 = sqrt_four(S3 * S3 + C3 * C3);
+    const four v11 = 1.0 / w3;
+    const four v12 = C3 * v11;
+    const four v13 = S3 * v11;
+
+    /* theta2 */
+    const four v14 = k4 * (T32 * v13 - T31 * v12);
+    const double v15 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v16 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v17 = v15 * v15;
+    const four w2 = sqrt_four(v17 + v14 * v14);
+    const four factor2 = v16 / w2;
+    const four v18 = v15 * factor2;
+    const four v19 = v14 * factor2;
+
+    /* is the pose one that the arm can take? */
+    const four v20 = 2.0 * c1;
+    const four v21 = ca2 * s1;
+    const four v22 = s1 * v12;
+    const four v23 = ca2 * c1;
+    const four v24 = 2.0 * v23;
+    const four v25 = s1 * v13;
+    const four v26 = sa2 * s1;
+    const four v27 = sa2 * c1;
+    const four v28 = v18 * v26 + v19 * (2.0 * v27) + ca2 * (sqrt3 * s1);
+    const four v29 = 2.0 * s1;
+    const four v30 = c1 * v12;
+    const four v31 = 2.0 * v21;
+    const four v32 = c1 * v13;
+    const four v33 = v19 * (2.0 * v26) - v18 * v27 - ca2 * (sqrt3 * c1);
+    const four v34 = sqrt3 * v13;
+    const four v35 = sqrt3 * v12;
+    const four v36 = ca2 - k3 * v18;
+    const four v37 = sqrt_four(pick_four((abs_four(T34 - k1 * (d3 * v36)) <= pose_slack1) &
+        ((abs_four(T33 - k1 * v36) <= pose_slack) & ((abs_four(T32 - k1 * (v18 * (ca2 * v35) - v19 *
+        v34 + sa2 * v12)) <= pose_slack) & ((abs_four(T31 - k1 * (v18 * (ca2 * v34) + v19 * v35 +
+        sa2 * v13)) <= pose_slack) & ((abs_four(T24 - k1 * (d3 * v33)) <= pose_slack1) &
+        ((abs_four(T23 - k1 * v33) <= pose_slack) & ((abs_four(T22 + k1 * (v18 * (v13 * v29 - v12 *
+        v23) + v19 * (v32 + v12 * v31) + sa2 * (sqrt3 * v30))) <= pose_slack) & ((abs_four(T21 - k1
+        * (v18 * (v12 * v29 + v13 * v23) - v19 * (v13 * v31 - v30) - sa2 * (sqrt3 * v32))) <=
+        pose_slack) & ((abs_four(T14 - k1 * (d3 * v28)) <= pose_slack1) & ((abs_four(T13 - k1 * v28)
+        <= pose_slack) & ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v25) - (v18 * (v13 * v21 - v12 * v20)
+        + v19 * (v22 + v13 * v24)))) <= pose_slack) & (abs_four(T12 + k1 * (v18 * (v12 * v21 + v13 *
+        v20) - v19 * (v25 - v12 * v24) - sa2 * (sqrt3 * v22))) <= pose_slack))))))))))),
+        all_four(0.0), all_four(-1.0)));
+
+    /* joint values */
+    const four v38 = v37 - v37;
+    const four q1 = v38 + atan2_four(s1, c1);
+    const four q2 = v38 + atan2_four(-v19, -v18);
+    const four q3 = v38 + atan2_four(-v13, -v12);
+    const int doubt1 = free1 | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 |
+        ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w3 <= free_limit_squared) | (w2
+        <= free_limit_squared));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
+    store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[6], x[LANES];
+    wide_mask kind[2];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (6 >= LANES) {
+        for (int i = 0; i < 6; i += LANES) {
+            const int from = i + LANES <= 6 ? i : 6 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 6 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < LANES; k++)
+                q[6 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 2; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 2 - row < 8 ? 2 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
+{
+    wide_mask kind[2];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 2; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
@@ -280,8 +872,13 @@ int wrist_oblique_ik(
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 2; row++) {
         status[row] = valid ? WRIST_OBLIQUE_UNREACHABLE : WRIST_OBLIQUE_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -335,6 +932,16 @@ int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double 
 
 void wrist_oblique_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 6 * k, status + 2 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)wrist_oblique_ik(
+                    T + 16 * i, NULL, (double (*)[3])(q + 6 * i), status + 2 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)wrist_oblique_ik(T + 16 * k, NULL, (double (*)[3])(q + 6 * k), status + 2 * k);
 }

@@ -116,7 +116,7 @@ class Builder(Graph):
         match operator, operands:
             case (("add" | "mul" | "div"), (left, right)):
                 return {"add": self.add, "mul": self.mul, "div": self.div}[operator](left, right)
-            case "sub", (left, right) if left != right:
+            case "sub", (left, right) if left != right or self.entries[left].value is not None:
                 return self.sub(left, right)
             case "neg", (operand,):
                 return self.neg(operand)

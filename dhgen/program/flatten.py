@@ -32,16 +32,20 @@ class Flat:
     """Straight-line code for one pose or for many.
 
     Attributes:
-        program: Its axes are the lanes. Its outputs are those of the rows, and then whether the
-            pose has to be left to the whole program.
-        joints: Number of outputs of a row.
-        choices: The unrolled signs of every group of outputs, in the order of the outputs.
+        program: Its axes are the lanes. Its outputs are the joints' values for each of the
+            choices, whether one is outside its limits for each of them, and the doubt.
+        joints: Number of joints.
+        limited: Whether there are limits.
+        doubt: Whether the pose has to be left to the whole program, in any lane; None if never.
+        choices: The values of the unrolled signs, in the order of the outputs.
         lanes: The axes of the original program that are lanes.
         unrolled: The others.
     """
 
     program: Program
     joints: int
+    limited: bool
+    doubt: Expression | None
     choices: tuple[Choice, ...]
     lanes: tuple[int, ...]
     unrolled: tuple[int, ...]
@@ -53,9 +57,10 @@ class Flat:
         return tuple(outputs[k * size : (k + 1) * size] for k in range(len(self.choices)))
 
     @property
-    def doubt(self) -> Expression:
-        """Whether the pose has to be left to the whole program: in any lane."""
-        return self.program.outputs[-1]
+    def outside(self) -> tuple[Expression, ...]:
+        """Whether a joint is outside its limits, for each of the choices; empty without limits."""
+        outputs, size = self.program.outputs, len(self.choices)
+        return outputs[self.joints * size :][: size if self.limited else 0]
 
 
 def flatten(solver: Regular, lanes: tuple[int, ...] = ()) -> Flat:
@@ -80,17 +85,8 @@ class _Flattening:
         self._axes: dict[str, tuple[int, ...]] = {}
 
     def run(self) -> Flat:
+        self._leaves()
         builder = self._builder
-        for c in self._program.constants:
-            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
-            self._values[c.name, ()] = node
-        for place, axis in enumerate(self._program.axes):
-            if place in self._lanes:
-                self._values[axis.name, ()] = builder.sign(axis.meaning, axis.step, axis.name)
-            else:
-                self._axes[axis.name] = (place,)
-                self._values[axis.name, (PLUS,)] = builder.integer(1)
-                self._values[axis.name, (MINUS,)] = builder.integer(-1)
         for statement in self._program.body:
             if isinstance(statement, Heading):
                 builder.heading(statement.text, statement.detail)
@@ -102,9 +98,37 @@ class _Flattening:
             for place, output in enumerate(self._solver.joints):
                 name = _name(f"q{place + 1}", choice)
                 results[name] = builder.hint(self._value(output, self._unrolled, choice), name)
-        results["doubt"] = self._doubt(choices)
+        if self._solver.outside is not None:
+            for choice in choices:
+                name = _name("outside", choice)
+                results[name] = self._value(self._solver.outside, self._unrolled, choice)
+                builder.hint(results[name], name)
+        doubt = self._doubt(choices)
+        results |= {} if doubt is None else {"doubt": doubt}
         program = builder.finish(self._program.name, results, [])
-        return Flat(program, len(self._solver.joints), choices, self._lanes, self._unrolled)
+        return Flat(
+            program,
+            joints=len(self._solver.joints),
+            limited=self._solver.outside is not None,
+            doubt=None if doubt is None else program.outputs[-1],
+            choices=choices,
+            lanes=self._lanes,
+            unrolled=self._unrolled,
+        )
+
+    def _leaves(self) -> None:
+        """Constants and signs."""
+        builder = self._builder
+        for c in self._program.constants:
+            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            self._values[c.name, ()] = node
+        for place, axis in enumerate(self._program.axes):
+            if place in self._lanes:
+                self._values[axis.name, ()] = builder.sign(axis.meaning, axis.step, axis.name)
+            else:
+                self._axes[axis.name] = (place,)
+                self._values[axis.name, (PLUS,)] = builder.integer(1)
+                self._values[axis.name, (MINUS,)] = builder.integer(-1)
 
     def _let(self, statement: Let) -> None:
         """The value under a name for each combination of the unrolled signs it depends on."""
@@ -117,13 +141,12 @@ class _Flattening:
                 self._builder.hint(node, _name(statement.name, choice))
             self._values[statement.name, choice] = node
 
-    def _doubt(self, choices: tuple[Choice, ...]) -> Node:
+    def _doubt(self, choices: tuple[Choice, ...]) -> Node | None:
         """Any doubt in any branch."""
-        outputs = self._program.outputs[len(self._solver.joints) :]
-        found = [self._value(o, self._unrolled, choice) for o in outputs for choice in choices]
+        doubts = self._solver.doubts
+        found = [self._value(o, self._unrolled, choice) for o in doubts for choice in choices]
         if not found:
-            zero = self._builder.integer(0)
-            return self._builder.apply("less", zero, zero)
+            return None
         return reduce(lambda a, b: self._builder.apply("or", a, b), dict.fromkeys(found))
 
     def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:

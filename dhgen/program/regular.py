@@ -3,7 +3,8 @@
 Where a joint is free, or where two branches meet, a pose is singular, and what is to be done then
 is the affair of the whole program. This one says which poses these are; for all others it assumes
 that nothing of the kind happens, so that every choice between a formula and the seed is gone. A
-row without a solution becomes NaN by itself: the square root of a negative number.
+row without a solution becomes NaN by itself: the square root of a negative number. On a doubtful
+pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
 """
 
 from __future__ import annotations
@@ -25,13 +26,15 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
+from dhgen.program.limits import Limiting
 from dhgen.program.signed import Signed, SignedArithmetic
 
 if TYPE_CHECKING:
     from dhgen.program.graph import Node
     from dhgen.program.ir import Expression, Program
+    from dhgen.program.limits import Limits
 
-FOLDED = "g"  # what the names of constants made here begin with
+FOLDED = "m"  # what the names of constants made here begin with
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,31 +42,38 @@ class Regular:
     """What is computed for a regular pose.
 
     Attributes:
-        program: Without guards. Its outputs are the joints' values, NaN in all of them where a
-            branch has no solution, and then the doubts.
-        doubts: How many of the last outputs are truth values of which one, in one branch, is
-            enough to leave the pose to the whole program.
+        program: Without guards. Its outputs are those of a row, and then truth values of which
+            one, in one branch, is enough to leave the pose to the whole program.
+        joints: The values of the joints, NaN in all of them where a branch has no solution.
+        outside: Whether one of them is outside its limits; None where there are no limits.
+        doubts: The truth values.
     """
 
     program: Program
-    doubts: int
-
-    @property
-    def joints(self) -> tuple[Expression, ...]:
-        """The joints' values."""
-        return self.program.outputs[: len(self.program.outputs) - self.doubts]
+    joints: tuple[Expression, ...]
+    outside: Expression | None
+    doubts: tuple[Expression, ...]
 
 
-def regular(program: Program) -> Regular | None:
-    """The program of regular poses; None where the branches are roots of a polynomial."""
+def regular(program: Program, limits: tuple[Limits | None, ...] = ()) -> Regular | None:
+    """The program of regular poses.
+
+    Args:
+        program: The whole program.
+        limits: Of every joint, None for one without; empty if they don't matter.
+
+    Returns:
+        None where branches are the roots of a polynomial.
+    """
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
-    return _Regular(program).run()
+    return _Regular(program, limits or (None,) * len(program.outputs)).run()
 
 
 class _Regular:
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, limits: tuple[Limits | None, ...]) -> None:
         self._program = program
+        self._limits = limits
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
         self._values: dict[str, Signed] = {}
@@ -84,10 +94,24 @@ class _Regular:
         for statement in self._program.body:
             self._take(statement)
         joints = [self._arithmetic.plain(self._value(o)) for o in self._program.outputs]
+        limiting = Limiting(builder)
+        joints = [
+            limiting.limited(place + 1, node, limits)
+            for place, (node, limits) in enumerate(zip(joints, self._limits, strict=True))
+        ]
         results = {f"q{place + 1}": self._ended(node) for place, node in enumerate(joints)}
-        doubts = {f"doubt{place + 1}": node for place, node in enumerate(self._merged_doubts())}
-        finished = builder.finish(self._program.name, results | doubts, [])
-        return Regular(finished, len(doubts))
+        outside = limiting.outside()
+        results |= {} if outside is None else {"outside": outside}
+        count = len(results)
+        results |= {f"doubt{place + 1}": node for place, node in enumerate(self._merged_doubts())}
+        finished = builder.finish(self._program.name, results, [])
+        outputs = finished.outputs
+        return Regular(
+            finished,
+            joints=outputs[: len(joints)],
+            outside=None if outside is None else outputs[len(joints)],
+            doubts=outputs[count:],
+        )
 
     def _assume(self) -> None:
         """No joint is free, no two branches meet."""

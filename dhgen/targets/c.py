@@ -8,12 +8,14 @@ from dhgen.general.emit import c_rows
 from dhgen.general.emit import c_source as general_source
 from dhgen.general.kernel import GeneralKernel
 from dhgen.numerical.emit import c_source as numerical_source
+from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
+from dhgen.targets.c_regular import best_lanes, entry_lines, regular_solver, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
-from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
+from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import whole_arm
 
@@ -26,7 +28,13 @@ if TYPE_CHECKING:
 
 def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
+    solver = regular_solver(module)
+    flats = () if solver is None else (flatten(solver), best_lanes(solver))
     values = module_values(module) | _texts(module) | _functions(module) | _bodies(module)
+    values |= _constants(module, *(flat.program for flat in flats))
+    values |= {"regular": bool(flats), "lanes": module.precision is not SINGLE}
+    if flats:
+        values |= regular_values(module, *flats)
     texts = {
         f"{module.name}.h": render("c/solver.h.jinja", **values),
         f"{module.name}.c": render("c/solver.c.jinja", **values),
@@ -56,7 +64,6 @@ def _texts(module: SolverModule) -> dict[str, object]:
             f"{frames}{module.length_unit}, angles in rad{single}. {values['task']}",
             " * ",
         ),
-        "constants": [line for each in constant_texts(module) for line in _constant(*each)],
         "branch_names": _strings(module.branches),
         "lowest": c_array(f"static const double lowest[{dof}]", low),
         "highest": c_array(f"static const double highest[{dof}]", high),
@@ -66,6 +73,16 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "given_finite": " && ".join(given),
         "jacobian_size": 6 * dof,
         "row_size": module.solver.rows * dof,
+    }
+
+
+def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
+    """The constants of all builds, and those that only branches in lanes need."""
+    common = constant_texts(module, flats[:1])
+    only = [each for each in constant_texts(module, flats) if each not in common]
+    return {
+        "constants": [line for each in common for line in _constant(*each)],
+        "lane_constants": [line for each in only for line in _constant(*each)],
     }
 
 
@@ -80,6 +97,16 @@ def _functions(module: SolverModule) -> dict[str, str]:
     given = ["free_joints"] if count else []
     batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
     seed = f"const double q_seed[{dof}]"
+
+    def one(k: str) -> list[str]:
+        inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given), "NULL"]
+        table = f"(double (*)[{dof}])(q + {rows * dof} * {k})"
+        return [*inputs, table, f"status + {rows} * {k}"]
+
+    def tile(k: str) -> list[str]:
+        inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given)]
+        return [*inputs, f"q + {rows * dof} * {k}", f"status + {rows} * {k}"]
+
     return {
         "ik_prototype": call(f"int {name}_ik", [pose, *free, "const double *q_seed", *table], ""),
         "nearest_prototype": call(
@@ -89,18 +116,9 @@ def _functions(module: SolverModule) -> dict[str, str]:
         "solve_prototype": call(
             "static void solve", [pose, *free, f"const double seed[{dof}]", *table], ""
         ),
-        "batch_call": call(
-            f"(void){name}_ik",
-            [
-                "T + 16 * k",
-                *(f"{each} + {count} * k" for each in given),
-                "NULL",
-                f"(double (*)[{dof}])(q + {rows * dof} * k)",
-                f"status + {rows} * k",
-            ],
-            ";",
-            INDENT * 2,
-        ),
+        "batch_call": call(f"(void){name}_ik", one("k"), ";", INDENT * 2),
+        "tile_call": call("solve_tile", tile("k"), ""),
+        "tile_again": call(f"(void){name}_ik", one("i"), ";", INDENT * 4),
         "free_parameter": "".join(f", {each}" for each in free),
         "free_argument": "".join(f", {each}" for each in given),
     }
@@ -112,7 +130,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
-        "entries": _entries(module.solver),
+        "entries": entry_lines(module.solver),
         "all_joints": _all_joints(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
@@ -130,24 +148,12 @@ def _all_joints(module: SolverModule) -> str:
     return "" if kernel is None else numerical_source(kernel, module.name)
 
 
-def _entries(program: Program) -> list[str]:
-    """The entries of the pose get their names, row by row."""
-    lines = []
-    for row in (1, 2, 3):
-        named = [
-            f"T{entry.row}{entry.column} = T[{4 * (row - 1) + entry.column - 1}]"
-            for entry in pose_entries(program)
-            if entry.row == row
-        ]
-        lines += [f"{INDENT}const double {', '.join(named)};"] if named else []
-    return lines
-
-
 def _constant(name: str, value: str, comment: str) -> list[str]:
     line = f"static const double {name} = {value};"
     if len(line) + len(comment) + 7 <= WIDTH:
         return [f"{line} /* {comment} */"]
-    return [f"/* {paragraph(comment, ' * ')} */", line]
+    # the end of a comment has to fit, too
+    return [f"/* {paragraph(f'{comment} ##', ' * ').replace(' ##', '').rstrip()} */", line]
 
 
 def _strings(texts: Iterable[str]) -> list[str]:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 # How tightly a text binds: an operand that binds more loosely than its place gets parentheses.
 CHOICE, DISJUNCTION, CONJUNCTION, NEGATION, RELATION, SUM, PRODUCT, UNARY, ATOM = range(9)
 
-_INFIX = {
+INFIX = {
     "add": ("+", SUM),
     "sub": ("-", SUM),
     "mul": ("*", PRODUCT),
@@ -78,8 +78,8 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
         text, binds = _text(operands[place], dialect)
         return text if binds >= least else f"({text})"
 
-    if operator in _INFIX:
-        sign, binds = _INFIX[operator]
+    if operator in INFIX:
+        sign, binds = INFIX[operator]
         # subtraction and division are not associative, and rounding makes no operator so
         return f"{part(0, binds)} {sign} {part(1, binds + 1)}", binds
     match operator:

@@ -154,10 +154,12 @@ def plain(text: str) -> str:
     return text.replace("*/", "* /").replace("/*", "/ *").replace('"""', "'''").replace("\\", "/")
 
 
-def constant_texts(module: SolverModule) -> list[tuple[str, str, str]]:
-    """Name, value and comment of every constant."""
+def constant_texts(
+    module: SolverModule, others: tuple[Program, ...] = ()
+) -> list[tuple[str, str, str]]:
+    """Name, value and comment of every constant, of the three programs and others."""
     own = [constant.name for constant in module.chain.constants]
-    constants = merged_constants(module.programs, own)
+    constants = merged_constants([*module.programs, *others], own)
     return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
 
 

@@ -23,7 +23,27 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-C_FLAGS = ("-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+C_FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+FAST_FLAGS = ("-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast")
+
+
+@dataclass(frozen=True, slots=True)
+class Build:
+    """A way of compiling a solver.
+
+    Attributes:
+        name: Distinguishes it from others.
+        flags: For the compiler.
+        compiler: Its path, if it is not the first one found.
+    """
+
+    name: str
+    flags: tuple[str, ...]
+    compiler: str | None = None
+
+
+PORTABLE = Build("portable", ("-O1",))
+NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 
 
 def import_module(path: Path) -> ModuleType:
@@ -91,6 +111,18 @@ class CompiledSolver:
         )
         return q, status
 
+    def batch(self, T: Array, free: Array | None = None) -> tuple[Array, NDArray[np.uint8]]:
+        """All rows (N, B, n) and their statuses (N, B) of many poses (N, 4, 4)."""
+        q = np.empty((len(T), self.rows, self.dof))
+        status = np.empty((len(T), self.rows), np.uint8)
+        given = [] if free is None else [_pointer(np.ascontiguousarray(free, np.float64))]
+        poses = np.ascontiguousarray(T, np.float64)
+        size = ctypes.c_size_t(len(T))
+        self.library[f"{self.name}_ik_batch"](
+            size, _pointer(poses), *given, _pointer(q), _pointer(status)
+        )
+        return q, status
+
     def nearest(self, T: Array, seed: Array, free: Array | None = None) -> Array:
         """The row nearest to the seed (n,), NaN without one."""
         q = np.empty(self.dof)
@@ -101,18 +133,28 @@ class CompiledSolver:
 
 
 def compile_solver(
-    source: Path, folder: Path, name: str, dof: int, rows: int, free: int
+    source: Path, folder: Path, name: str, dof: int, rows: int, free: int, build: Build = PORTABLE
 ) -> CompiledSolver | None:
     """Compiles a written C file, warnings as errors; None without a compiler.
+
+    Args:
+        source: The file.
+        folder: Where the library goes.
+        name: The robot's identifier.
+        dof: Number of joints.
+        rows: Number of branches.
+        free: Number of joints whose value the caller gives.
+        build: How it is compiled.
 
     Raises:
         VerificationError: The compiler refuses the file.
     """
-    compiler = c_compiler()
+    compiler = build.compiler or c_compiler()
     if compiler is None:
         return None
-    library = folder / f"{name}.so"
-    command = [compiler, *C_FLAGS, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
+    library = folder / f"{name}-{build.name}.so"
+    flags = [*C_FLAGS, *build.flags]
+    command = [compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
     if done.returncode != 0:
         raise VerificationError(f"{source.name} does not compile:\n{done.stderr}")

@@ -17,7 +17,7 @@ from dhgen.program.interpret import interpret
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.walk import whole_arm
 from dhgen.verify.measures import Measures
-from dhgen.verify.native import compile_solver, import_module
+from dhgen.verify.native import NATIVE, PORTABLE, compile_solver, import_module
 from dhgen.verify.samples import samples, spoiled_poses
 
 if TYPE_CHECKING:
@@ -67,26 +67,24 @@ def verify(module: SolverModule, folder: Path) -> Report:
         VerificationError: Something is not as promised; the text says what, and on which joints.
     """
     python = import_module(folder / f"{module.name}.py")
-    c = compile_solver(
-        folder / f"{module.name}.c",
-        folder,
-        module.name,
-        module.chain.dof,
-        module.solver.rows,
-        len(module.chain.free),
-    )
-    checker = _Checker(module, python, c)
+    source = folder / f"{module.name}.c"
+    shape = module.chain.dof, module.solver.rows, len(module.chain.free)
+    made = (compile_solver(source, folder, module.name, *shape, b) for b in (PORTABLE, NATIVE))
+    builds = tuple(solver for solver in made if solver is not None)
+    checker = _Checker(module, python, builds)
     for sample in samples(module.chain, COUNT):
         checker.sample(sample)
     checker.impossible()
-    return Report(checker.poses, checker.solutions, checker.residual, c is not None)
+    return Report(checker.poses, checker.solutions, checker.residual, bool(builds))
 
 
 class _Checker:
-    def __init__(self, module: SolverModule, python: ModuleType, c: CompiledSolver | None) -> None:
+    def __init__(
+        self, module: SolverModule, python: ModuleType, builds: tuple[CompiledSolver, ...]
+    ) -> None:
         self._module = module
         self._python: Any = python
-        self._c = c
+        self._builds = builds
         self._chain = module.chain
         self._measures = Measures(module.chain)
         self._free = [joint - 1 for joint in self._chain.free]
@@ -106,7 +104,8 @@ class _Checker:
         for number, (q, T) in enumerate(zip(sample.q, poses, strict=True)):
             where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
             self._forward(q, T, where)
-            rows, status = self._call(T, q, where, compared=meant is not None or self._has_branches)
+            compared = meant is not None or self._has_branches
+            rows, status = self._call(T, q, where, compared=compared, singular=not random)
             solved = np.isin(status, (self._python.OK, self._python.FREE_JOINT))
             held = solved | (status == self._python.OUT_OF_LIMITS)
             self._reproduce(rows[held], T, where)
@@ -122,6 +121,24 @@ class _Checker:
                 self._agree(rows[held], meant.q[number][held], "the program's meaning", where)
             self.poses += 1
             self.solutions += int(solved.sum())
+        self._batch(sample, poses)
+
+    def _batch(self, sample: Sample, poses: Array) -> None:
+        """C's batches hold the rows of single poses."""
+        given = [np.ascontiguousarray(sample.q[:, self._free])] if self._free else []
+        for build in self._builds:
+            many, statuses = build.batch(poses, *given)
+            for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
+                where = f"{self._module.name}, {sample.name}, number {number} of a batch"
+                one, one_status = build.ik(
+                    T, np.zeros(self._chain.dof), *(g[number] for g in given)
+                )
+                self._reproduce(rows[np.isfinite(rows).all(axis=1)], T, where)
+                if sample.name == "random" and self._has_branches:
+                    if not np.array_equal(status, one_status):
+                        raise VerificationError(f"{where}: C says {status}, alone {one_status}")
+                    held = np.isfinite(one).all(axis=1)
+                    self._agree(rows[held], one[held], "C", where)
 
     def impossible(self) -> None:
         """Poses that are none, and poses out of reach."""
@@ -143,24 +160,25 @@ class _Checker:
                     raise VerificationError(f"{name}: reached a pose out of reach:\n{far}")
 
     def _forward(self, q: Array, T: Array, where: str) -> None:
-        languages = {"Python": self._python} | ({} if self._c is None else {"C": self._c})
-        for language, solver in languages.items():
+        compiled = [("C", build) for build in self._builds]
+        for language, solver in [("Python", self._python), *compiled]:
             miss = self._measures.pose_miss(solver.fk(q), T)
             self._demand(miss, AGREEMENT, f"{where}: {language}'s fk is off")
             miss = self._measures.jacobian_miss(solver.jacobian(q), q, T)
             self._demand(miss, JACOBIAN, f"{where}: {language}'s Jacobian is off")
 
     def _call(
-        self, T: Array, seed: Array, where: str, *, compared: bool = True
+        self, T: Array, seed: Array, where: str, *, compared: bool = True, singular: bool = False
     ) -> tuple[Array, NDArray[np.uint8]]:
         """Python's rows; C's are the same, or at least solutions where roots have no branches."""
         given = self._given(seed)
         rows, status = self._python.ik_all(T, *given, seed)
-        if self._c is not None:
-            other, other_status = self._c.ik(T, seed, *given)
-            if not compared:
+        for place, build in enumerate(self._builds):
+            other, other_status = build.ik(T, seed, *given)
+            # where an arm is singular, an instruction that rounds once moves double roots
+            if not compared or (singular and place > 0):
                 self._reproduce(other[np.isfinite(other).all(axis=1)], T, where)
-                return rows, status
+                continue
             if not np.array_equal(status, other_status):
                 raise VerificationError(f"{where}: Python says {status}, C says {other_status}")
             held = np.isfinite(rows).all(axis=1)
@@ -190,10 +208,9 @@ class _Checker:
     def _nearest(self, q: Array, T: Array, where: str) -> None:
         """The generating joint values are the nearest to themselves."""
         given = self._given(q)
-        nearest = {"Python's ik": self._python.ik(T, *given, q)}
-        if self._c is not None:
-            nearest["C's ik_nearest"] = self._c.nearest(T, q, *given)
-        for what, found in nearest.items():
+        nearest = [("Python's ik", self._python.ik(T, *given, q))]
+        nearest += [("C's ik_nearest", build.nearest(T, q, *given)) for build in self._builds]
+        for what, found in nearest:
             miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
             self._demand(miss, FOUND, f"{where}: {what} is off")
 

@@ -74,7 +74,7 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     assert solver is not None
     T, free, rows = cases(name)
     found = outputs(solver.program, T, None, free)
-    doubts = np.stack([*found[len(solver.joints) :], np.zeros_like(found[0])])
+    doubts = np.stack([*found[len(found) - len(solver.doubts) :], np.zeros_like(found[0])])
     doubt = np.asarray(doubts).any(axis=(0, 2))
     assert_same(rows, np.stack(found[: len(solver.joints)], axis=-1), doubt)
 

@@ -17,7 +17,7 @@ from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.arm import arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
-from dhgen.verify.native import CompiledSolver, compile_solver
+from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -64,7 +64,7 @@ def made(name: str) -> Compilation:
 
 
 @cache
-def in_c(name: str) -> CompiledSolver:
+def in_c(name: str, build: Build = PORTABLE) -> CompiledSolver:
     """Its C, compiled."""
     module = made(name).module
     solver = compile_solver(
@@ -74,6 +74,7 @@ def in_c(name: str) -> CompiledSolver:
         module.chain.dof,
         module.solver.rows,
         len(module.chain.free),
+        build,
     )
     assert solver is not None, "the tests need a C compiler"
     return solver

@@ -1,0 +1,142 @@
+"""Expressions in C whose values are lanes: GNU vectors, and plain numbers among them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
+from dhgen.targets.c_language import C
+from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.program.ir import Expression, Program
+
+LIBRARY = C()
+NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
+_BITS = {"and": "&", "or": "|"}
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """An expression.
+
+    Attributes:
+        text: As it is written.
+        binds: How tightly it binds, as in `dialect`.
+        lanes: Whether it is a vector.
+    """
+
+    text: str
+    binds: int
+    lanes: bool
+
+    def within(self, least: int) -> str:
+        """With parentheses where something binds this tightly."""
+        return self.text if self.binds >= least else f"({self.text})"
+
+
+class LaneText:
+    """Prints expressions.
+
+    Args:
+        vector: The name of the vector type.
+        program: Whose values they are.
+        wide: Whether the lanes are poses, so that everything but constants is a vector.
+    """
+
+    def __init__(self, vector: str, program: Program, *, wide: bool) -> None:
+        self._vector = vector
+        self._wide = wide
+        self._lanes = {c.name: False for c in program.constants}
+        self._lanes |= {axis.name: True for axis in program.axes}
+
+    def let(self, statement: Let) -> str:
+        """A statement that gives a value its name."""
+        value = self.text(statement.expression)
+        self._lanes[statement.name] = value.lanes
+        scalar = "int" if statement.truth else "double"
+        vector = f"{self._vector}_mask" if statement.truth else self._vector
+        return f"const {vector if value.lanes else scalar} {statement.name} = {value.text};"
+
+    def vector(self, expression: Expression) -> str:
+        """An expression as a vector."""
+        return self._all(self.text(expression)).text
+
+    def mask(self, expression: Expression) -> str:
+        """A condition for all lanes."""
+        return self._everywhere(self.text(expression)).text
+
+    def text(self, expression: Expression) -> Text:
+        """An expression."""
+        match expression:
+            case Variable(name):
+                return Text(name, ATOM, self._lanes[name])
+            case Integer(value):
+                return Text(f"{value}.0", ATOM if value >= 0 else UNARY, lanes=False)
+            case Pose(row, column):
+                return Text(LIBRARY.pose(row, column), ATOM, self._wide)
+            case Joint(number, role):
+                return Text(LIBRARY.joint(number, role), ATOM, self._wide)
+            case Apply(operator, operands):
+                return self._apply(operator, [self.text(operand) for operand in operands])
+
+    def _apply(self, operator: str, parts: list[Text]) -> Text:
+        lanes = operator in NEVER_SCALAR or any(part.lanes for part in parts)
+        if operator in INFIX:
+            sign, binds = INFIX[operator]
+            text = f"{parts[0].within(binds)} {sign} {parts[1].within(binds + 1)}"
+            return Text(text, binds, lanes)
+        match operator:
+            case "neg":
+                return Text(f"-{parts[0].within(ATOM)}", UNARY, lanes)
+            case "and" | "or":
+                both = [self._everywhere(part) if lanes else part for part in parts]
+                text = f"{both[0].within(ATOM)} {_BITS[operator]} {both[1].within(ATOM)}"
+                return Text(text, CHOICE, lanes)
+            case "not":
+                return Text(f"{parts[0].within(ATOM)} == 0", CHOICE, lanes)
+            case "select":
+                if not lanes:
+                    choice = LIBRARY.choice(*(part.within(ATOM) for part in parts))
+                    return Text(choice, CHOICE, lanes)
+                arguments = [self._everywhere(parts[0]), *map(self._all, parts[1:])]
+            case _:
+                arguments = [self._all(part) if lanes else part for part in parts]
+        listed = ", ".join(argument.text for argument in arguments)
+        return Text(f"{self._function(operator, lanes=lanes)}({listed})", ATOM, lanes)
+
+    def _function(self, operator: str, *, lanes: bool) -> str:
+        if not lanes:
+            return LIBRARY.function(operator)
+        return f"{'pick' if operator == 'select' else operator}_{self._vector}"
+
+    def _all(self, part: Text) -> Text:
+        """A number in all lanes."""
+        return part if part.lanes else Text(f"all_{self._vector}({part.text})", ATOM, lanes=True)
+
+    def _everywhere(self, part: Text) -> Text:
+        """A truth value in all lanes."""
+        if part.lanes:
+            return part
+        return Text(
+            f"(all_{self._vector}({part.within(ATOM)} ? 1.0 : 0.0) > 0.0)", ATOM, lanes=True
+        )
+
+
+def lane_functions(program: Program) -> tuple[str, ...]:
+    """The functions of one number that a program needs of vectors."""
+    found = {o for o in operators(program) if o in {"sqrt", "sin", "cos", "wrap"}}
+    return tuple(sorted(found))
+
+
+def operators(program: Program) -> Iterable[str]:
+    """All operators of a program."""
+    pending = [*program.outputs, *(s.expression for s in program.body if isinstance(s, Let))]
+    while pending:
+        expression = pending.pop()
+        if isinstance(expression, Apply):
+            yield expression.operator
+            pending += expression.operands

@@ -1,0 +1,114 @@
+"""Every build of the C gives the rows of the program: scalar and in lanes, one pose and many."""
+
+from __future__ import annotations
+
+import shutil
+from functools import cache
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.program.interpret import interpret
+from dhgen.verify.native import FAST_FLAGS, NATIVE, Build
+from tests.targets.made import apart, given, in_c, made, poses_of, residual, robot
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.program.interpret import Rows
+    from dhgen.survey.oracle.arm import FloatArray
+
+EVERYWHERE = ["ur5", "scara"]
+NATIVELY = [
+    *("puma560", "kuka_kr6_r900", "rrprrr", "kuka_iiwa14", "kuka_youbot", "scorbot_pointing"),
+    *("planar_rr", "wrist_oblique", "cartesian"),
+]
+CLANG = shutil.which("clang")
+BUILDS = [
+    Build("plain", ("-O0",)),
+    Build("scalar", ("-O3", *FAST_FLAGS)),
+    NATIVE,
+    Build("avx2-unoptimised", ("-O0", "-mavx2")),
+    Build("avx2", ("-O3", "-mavx2", "-mfma", *FAST_FLAGS)),
+]
+if CLANG:
+    BUILDS += [
+        Build("clang", ("-O1",), CLANG),
+        Build("clang-native", ("-O3", "-march=native", *FAST_FLAGS), CLANG),
+    ]
+CASES = [(name, build) for name in EVERYWHERE for build in BUILDS]
+CASES += [(name, NATIVE) for name in NATIVELY]
+RANDOM = 200
+SOLVED = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS
+
+
+@cache
+def cases(name: str) -> tuple[FloatArray, FloatArray, Rows]:
+    """Joint vectors, poses, and their rows: random, out of reach, singular and nearly so."""
+    rng = np.random.default_rng(4)
+    dof = made(name).module.chain.dof
+    q = rng.uniform(-3, 3, (RANDOM + 300, dof))
+    corners = np.array(list(product((-np.pi / 2, 0.0, np.pi / 2, np.pi), repeat=min(dof, 4))))
+    q[RANDOM:, : corners.shape[1]] = corners[rng.integers(len(corners), size=300)]
+    q[RANDOM + 200 :] += rng.choice([1e-10, 1e-7, 1e-4], (100, 1))
+    T = poses_of(name, q)
+    T[: RANDOM // 4, :3, 3] *= rng.uniform(0.9, 1.5, (RANDOM // 4, 1))
+    free = given(name, q)
+    rows = interpret(made(name).module.solver, T, np.zeros_like(q), *free)
+    return q, T, rows
+
+
+def assert_rows(name: str, q: FloatArray, status: NDArray[np.uint8]) -> None:
+    """Rows (N, B, n) and their statuses (N, B) against the program's meaning."""
+    joints, T, rows = cases(name)
+    held = np.isin(status, SOLVED)
+    assert (np.isnan(q).any(-1) == ~held).all()
+    assert (held == rows.solved)[:RANDOM].all()
+    assert np.mean(held == rows.solved) > 0.98  # rounding decides at the edge of a tolerance
+    both = held & rows.solved
+    assert apart(name, q[both], rows.q[both]).max(initial=0.0, where=~np.isnan(q[both])) < 1e-3
+    regular = both[:RANDOM]
+    assert apart(name, q[:RANDOM][regular], rows.q[:RANDOM][regular]).max(initial=0.0) < 1e-10
+    for place, row in enumerate(held):
+        if place % 5 == 0 and row.any():
+            assert residual(name, q[place][row], T[place : place + 1]) < 1e-9
+    assert joints.shape[0] == len(q)
+
+
+@pytest.mark.parametrize(("name", "build"), CASES, ids=[f"{n}-{b.name}" for n, b in CASES])
+def test_one_pose_and_many(name: str, build: Build) -> None:
+    joints, T, _ = cases(name)
+    solver = in_c(name, build)
+    free = given(name, joints)
+    seed = np.zeros(joints.shape[1])
+    found = [
+        solver.ik(pose, seed, *(values[place] for values in free)) for place, pose in enumerate(T)
+    ]
+    q = np.stack([rows for rows, _ in found])
+    status = np.stack([each for _, each in found])
+    assert_rows(name, q, status)
+
+    spoiled = T.copy()
+    spoiled[3] = np.nan
+    spoiled[10, :3, :3] *= 1.01
+    spoiled[11, 0, 3] = np.inf
+    many, statuses = solver.batch(spoiled, *free)
+    task = robot(name).task.kind.value
+    bad = [3, 11] + ([10] if task in {"pose", "orientation", "pointing"} else [])
+    assert (statuses[bad] == 4).all()
+    assert np.isnan(many[bad]).all()
+    many[bad], statuses[bad] = q[bad], status[bad]
+    assert_rows(name, many, statuses)
+    same = np.isin(status, SOLVED) & np.isin(statuses, SOLVED)
+    assert apart(name, many[same], q[same]).max(initial=0.0) < 1e-3
+    assert apart(name, many[:RANDOM][same[:RANDOM]], q[:RANDOM][same[:RANDOM]]).max() < 1e-11
+
+
+def test_libm_stays_available() -> None:
+    name = "ur5"
+    build = Build("libm", ("-O2", "-march=native", f"-D{name.upper()}_LIBM"))
+    joints, T, _ = cases(name)
+    q, status = in_c(name, build).batch(T, *given(name, joints))
+    assert_rows(name, q, status)
