@@ -46,8 +46,8 @@ static const double low4 = -2.7925300010000003; /* lowest value of joint 4 */
 static const double high4 = 2.7925300010000003; /* highest value of joint 4 */
 static const double low5 = -2.094395001; /* lowest value of joint 5 */
 static const double high5 = 2.094395001; /* highest value of joint 5 */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const abb_irb120_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -242,9 +242,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef ABB_IRB120_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -561,16 +561,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v34 = atan2_wide(s1, -v1);
     const wide v35 = v34 - offset1;
     const wide v36 = v34 - h1 * copysign_wide(all_wide(half_turn), s1) - offset1;
-    const wide q1__p = v35 + pick_wide(v35 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q1__m = v36 + pick_wide(v36 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1__p = v35 + pick_wide(v35 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q1__m = v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v37 = atan2_wide(s2_pp, c2_pp) - offset2;
     const wide v38 = atan2_wide(s2_pm, c2_pm) - offset2;
     const wide v39 = atan2_wide(s2_mp, c2_mp) - offset2;
     const wide v40 = atan2_wide(s2_mm, c2_mm) - offset2;
-    const wide q2_ppp = v37 + pick_wide(v37 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_pmp = v38 + pick_wide(v38 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_mpp = v39 + pick_wide(v39 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_mmp = v40 + pick_wide(v40 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q2_ppp = v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v39 + pick_wide(v39 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v41 = atan2_wide(w4_pp, s23_pp * v15 - T31 * c23_pp);
     const wide v42 = atan2_wide(w4_pm, s23_pm * v15 - T31 * c23_pm);
     const wide v43 = atan2_wide(w4_mp, -(s23_mp * v15 + T31 * c23_mp));
@@ -583,14 +583,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v50 = offset5 + v43;
     const wide v51 = v44 - offset5;
     const wide v52 = offset5 + v44;
-    const wide q5_ppp = v45 + pick_wide(v45 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v46 <= -half_turn, all_wide(g2), all_wide(0.0)) - v46;
-    const wide q5_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v48 <= -half_turn, all_wide(g2), all_wide(0.0)) - v48;
-    const wide q5_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v50 <= -half_turn, all_wide(g2), all_wide(0.0)) - v50;
-    const wide q5_mmp = v51 + pick_wide(v51 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v52 <= -half_turn, all_wide(g2), all_wide(0.0)) - v52;
+    const wide q5_ppp = v45 + pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v46 <= -half_turn, all_wide(m2), all_wide(0.0)) - v46;
+    const wide q5_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - v48;
+    const wide q5_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v50 <= -half_turn, all_wide(m2), all_wide(0.0)) - v50;
+    const wide q5_mmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - v52;
     const wide_mask v53 = (q1__p < low1) | (high1 < q1__p);
     const wide_mask v54 = (q1__m < low1) | (high1 < q1__m);
     const wide_mask v55 = (q3_ppp < low3) | (high3 < q3_ppp);
@@ -701,12 +701,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -748,7 +748,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -820,15 +820,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v20 = atan2_four(all_four(s1), all_four(-v1));
     const double v21 = copysign(half_turn, s1);
-    const four v22 = v20 + v21 * (g1 * (e1 - 1.0)) - offset1;
-    const four q1_ = v22 + pick_four(v22 <= -half_turn, all_four(g2), all_four(0.0));
+    const four v22 = v20 + v21 * (m1 * (e1 - 1.0)) - offset1;
+    const four q1_ = v22 + pick_four(v22 <= -half_turn, all_four(m2), all_four(0.0));
     const four v23 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v23 + pick_four(v23 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q2_p = v23 + pick_four(v23 <= -half_turn, all_four(m2), all_four(0.0));
     const four v24 = atan2_four(w4, e1 * (s23 * v10) - T31 * c23);
     const four v25 = v24 - offset5;
     const four v26 = offset5 + v24;
-    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(g2), all_four(0.0));
-    const four q5_m = pick_four(-v26 <= -half_turn, all_four(g2), all_four(0.0)) - v26;
+    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m2), all_four(0.0)) - v26;
     const four_mask v27 = (q1_ < low1) | (high1 < q1_);
     const four_mask v28 = (q3_p < low3) | (high3 < q3_p);
     const double v29 = w3 - w3;

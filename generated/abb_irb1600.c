@@ -35,6 +35,9 @@ static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
 static const double k1 = 0.84; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.8499999999999999; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 1.4172335600907033; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const abb_irb1600_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -226,6 +229,711 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef ABB_IRB1600_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DABB_IRB1600_SCALAR. With -DABB_IRB1600_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(ABB_IRB1600_SCALAR) && !defined(ABB_IRB1600_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef ABB_IRB1600_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & ABB_IRB1600_UNREACHABLE) | (~(none) & (outside) & ABB_IRB1600_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)ABB_IRB1600_UNREACHABLE : (outside) ? (int)ABB_IRB1600_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide wx = T14 - d6 * T13;
+    const wide Y1 = d6 * T23 - T24;
+    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide factor1 = 1.0 / w1;
+    const wide v1 = wx * factor1;
+    const wide s1 = Y1 * factor1;
+    const wide v2 = atan2_wide(s1, -v1);
+
+    /* theta3 */
+    const wide Z1_3 = T34 - d6 * T33 - d1;
+    const wide v3 = a1 + w1;
+    const wide v4 = a1 - w1;
+    const wide v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3;
+    const wide N3_m = v5 + v4 * v4;
+    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
+    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide s3_p = k3 * (k1 * (N3_p - k2));
+    const wide s3_m = k3 * (k1 * (N3_m - k2));
+    const wide v6 = k3 * (k1 * w3_p);
+    const wide v7 = k3 * (k1 * w3_m);
+
+    /* theta2 */
+    const wide v8 = d4 * v6;
+    const wide v9 = d4 * v7;
+    const wide Y1_2_p = a2 + d4 * s3_p;
+    const wide Y1_2_m = a2 + d4 * s3_m;
+    const wide v10 = Z1_3 * Y1_2_p;
+    const wide v11 = Z1_3 * Y1_2_m;
+    const wide v12 = v3 * v8;
+    const wide v13 = v4 * v9;
+    const wide S2_pp = v12 - v10;
+    const wide v14 = v10 + v12;
+    const wide S2_mp = v13 - v11;
+    const wide v15 = v11 + v13;
+    const wide v16 = v3 * Y1_2_p;
+    const wide v17 = v4 * Y1_2_m;
+    const wide v18 = Z1_3 * v8;
+    const wide v19 = Z1_3 * v9;
+    const wide v20 = v16 + v18;
+    const wide v21 = v16 - v18;
+    const wide v22 = v17 + v19;
+    const wide v23 = v17 - v19;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v20 * v20);
+    const wide w2_pm = sqrt_wide(v14 * v14 + v21 * v21);
+    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v22 * v22);
+    const wide w2_mm = sqrt_wide(v15 * v15 + v23 * v23);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v24 = v20 * factor2_pp;
+    const wide v25 = v21 * factor2_pm;
+    const wide v26 = v22 * factor2_mp;
+    const wide v27 = v23 * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide v28 = v14 * factor2_pm;
+    const wide s2_mp = S2_mp * factor2_mp;
+    const wide v29 = v15 * factor2_mm;
+
+    /* theta4 */
+    const wide v30 = s3_p * s2_pp - v6 * v24;
+    const wide v31 = v6 * v25 - s3_p * v28;
+    const wide v32 = s3_m * s2_mp - v7 * v26;
+    const wide v33 = v7 * v27 - s3_m * v29;
+    const wide v34 = s3_p * v24 + v6 * s2_pp;
+    const wide v35 = s3_p * v25 + v6 * v28;
+    const wide v36 = s3_m * v26 + v7 * s2_mp;
+    const wide v37 = s3_m * v27 + v7 * v29;
+    const wide v38 = T23 * s1 - T13 * v1;
+    const wide X4_pp = v30 * v38 - T33 * v34;
+    const wide X4_pm = v31 * v38 - T33 * v35;
+    const wide v39 = v32 * v38 + T33 * v36;
+    const wide v40 = v33 * v38 + T33 * v37;
+    const wide v41 = T23 * v1 + T13 * s1;
+    const wide v42 = v41 * v41;
+    const wide w4_pp = sqrt_wide(v42 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v42 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v42 + v39 * v39);
+    const wide w4_mm = sqrt_wide(v42 + v40 * v40);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v43 = X4_pp * factor4_pp;
+    const wide v44 = X4_pm * factor4_pm;
+    const wide v45 = v39 * factor4_mp;
+    const wide v46 = v40 * factor4_mm;
+    const wide v47 = v41 * factor4_pp;
+    const wide v48 = v41 * factor4_pm;
+    const wide v49 = v41 * factor4_mp;
+    const wide v50 = v41 * factor4_mm;
+
+    /* theta6 */
+    const wide v51 = s1 * T12 + v1 * T22;
+    const wide v52 = s1 * T22 - v1 * T12;
+    const wide v53 = s1 * T11 + v1 * T21;
+    const wide v54 = s1 * T21 - v1 * T11;
+    const wide v55 = v47 * (v30 * v54 - v34 * T31) - v43 * v53;
+    const wide v56 = v48 * (v31 * v54 - v35 * T31) - v44 * v53;
+    const wide v57 = v49 * (v32 * v54 + v36 * T31) - v45 * v53;
+    const wide v58 = v50 * (v33 * v54 + v37 * T31) - v46 * v53;
+    const wide q6_ppp = atan2_wide(v55, v47 * (v30 * v52 - v34 * T32) - v43 * v51);
+    const wide q6_pmp = atan2_wide(v56, v48 * (v31 * v52 - v35 * T32) - v44 * v51);
+    const wide q6_mpp = atan2_wide(v57, v49 * (v32 * v52 + v36 * T32) - v45 * v51);
+    const wide q6_mmp = atan2_wide(v58, v50 * (v33 * v52 + v37 * T32) - v46 * v51);
+    const wide q6_ppm = q6_ppp - copysign_wide(all_wide(half_turn), v55) * h1;
+    const wide q6_pmm = q6_pmp - copysign_wide(all_wide(half_turn), v56) * h1;
+    const wide q6_mpm = q6_mpp - copysign_wide(all_wide(half_turn), v57) * h1;
+    const wide q6_mmm = q6_mmp - copysign_wide(all_wide(half_turn), v58) * h1;
+
+    /* joint values */
+    const wide v59 = atan2_wide(s2_pp, -v24) - offset2;
+    const wide v60 = atan2_wide(-v28, -v25) - offset2;
+    const wide v61 = atan2_wide(s2_mp, -v26) - offset2;
+    const wide v62 = atan2_wide(-v29, -v27) - offset2;
+    const wide q2_ppp = v59 - pick_wide(half_turn < v59, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v60 - pick_wide(half_turn < v60, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v61 - pick_wide(half_turn < v61, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v62 - pick_wide(half_turn < v62, all_wide(m2), all_wide(0.0));
+    const wide v63 = atan2_wide(s3_p, -v6);
+    const wide v64 = atan2_wide(s3_m, -v7);
+    const wide v65 = v63 - offset3;
+    const wide v66 = h1 * copysign_wide(all_wide(half_turn), s3_p) - v63 - offset3;
+    const wide v67 = v64 - offset3;
+    const wide v68 = h1 * copysign_wide(all_wide(half_turn), s3_m) - v64 - offset3;
+    const wide q3_ppp = v65 + pick_wide(v65 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_mpp = v67 + pick_wide(v67 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_mmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v69 = atan2_wide(-v47, -v43);
+    const wide v70 = atan2_wide(-v48, -v44);
+    const wide v71 = atan2_wide(v49, v45);
+    const wide v72 = atan2_wide(v50, v46);
+    const wide v73 = v69 - offset4;
+    const wide v74 = v69 - h1 * copysign_wide(all_wide(half_turn), -v47) - offset4;
+    const wide v75 = v70 - offset4;
+    const wide v76 = v70 - h1 * copysign_wide(all_wide(half_turn), -v48) - offset4;
+    const wide v77 = v71 - offset4;
+    const wide v78 = v71 - h1 * copysign_wide(all_wide(half_turn), v49) - offset4;
+    const wide v79 = v72 - offset4;
+    const wide v80 = v72 - h1 * copysign_wide(all_wide(half_turn), v50) - offset4;
+    const wide q4_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_ppm = v74 + pick_wide(v74 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpp = v77 + pick_wide(v77 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpm = v78 + pick_wide(v78 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v81 = atan2_wide(w4_pp, T33 * v30 + v34 * v38);
+    const wide v82 = atan2_wide(w4_pm, T33 * v31 + v35 * v38);
+    const wide v83 = atan2_wide(w4_mp, T33 * v32 - v36 * v38);
+    const wide v84 = atan2_wide(w4_mm, T33 * v33 - v37 * v38);
+    const wide v85 = v81 - offset5;
+    const wide v86 = offset5 + v81;
+    const wide v87 = v82 - offset5;
+    const wide v88 = offset5 + v82;
+    const wide v89 = v83 - offset5;
+    const wide v90 = offset5 + v83;
+    const wide v91 = v84 - offset5;
+    const wide v92 = offset5 + v84;
+    const wide q5_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v86 <= -half_turn, all_wide(m2), all_wide(0.0)) - v86;
+    const wide q5_pmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v88 <= -half_turn, all_wide(m2), all_wide(0.0)) - v88;
+    const wide q5_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v90 <= -half_turn, all_wide(m2), all_wide(0.0)) - v90;
+    const wide q5_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v92 <= -half_turn, all_wide(m2), all_wide(0.0)) - v92;
+    const wide q1_ppp = v2 + (w3_p - w3_p);
+    const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
+        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
+        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
+        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
+        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
+        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppm;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmm;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_mpp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_mpp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpm;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_mmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_mmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmm;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double wx = T14 - d6 * T13;
+    const double Y1 = d6 * T23 - T24;
+    const double w1 = sqrt(wx * wx + Y1 * Y1);
+    const int doubt1 = w1 <= free_limit1;
+    const double factor1 = 1.0 / w1;
+    const double v1 = wx * factor1;
+    const double s1 = Y1 * factor1;
+    const four v2 = atan2_four(all_four(s1), all_four(-v1));
+    const double v3 = copysign(half_turn, s1);
+
+    /* theta3 */
+    const double Z1_3 = T34 - d6 * T33 - d1;
+    const four v4 = a1 + e1 * w1;
+    const double v5 = Z1_3 * Z1_3;
+    const four N3 = v5 + v4 * v4;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four s3 = k3 * (k1 * (N3 - k2));
+    const four v6 = k3 * (k1 * w3);
+
+    /* theta2 */
+    const four v7 = d4 * v6;
+    const four Y1_2 = a2 + d4 * s3;
+    const four v8 = Z1_3 * Y1_2;
+    const four v9 = v4 * v7;
+    const four S2 = e2 * v9 - v8;
+    const four v10 = v4 * Y1_2;
+    const four v11 = Z1_3 * v7;
+    const four v12 = v10 + e2 * v11;
+    const four w2 = sqrt_four(S2 * S2 + v12 * v12);
+    const four factor2 = 1.0 / w2;
+    const four v13 = v12 * factor2;
+    const four s2 = S2 * factor2;
+
+    /* theta4 */
+    const four v14 = s3 * s2 - e2 * (v6 * v13);
+    const four v15 = s3 * v13 + e2 * (v6 * s2);
+    const double v16 = T23 * s1 - T13 * v1;
+    const four X4 = e1 * (v14 * v16) - T33 * v15;
+    const double v17 = T23 * v1 + T13 * s1;
+    const double v18 = v17 * v17;
+    const four w4 = sqrt_four(v18 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v19 = X4 * factor4;
+    const four v20 = v17 * factor4;
+
+    /* theta6 */
+    const double v21 = s1 * T12 + v1 * T22;
+    const double v22 = s1 * T22 - v1 * T12;
+    const double v23 = s1 * T11 + v1 * T21;
+    const double v24 = s1 * T21 - v1 * T11;
+    const four v25 = e1 * (v20 * (e1 * (v14 * v24) - v15 * T31) - v19 * v23);
+    const four q6_p = atan2_four(v25, e1 * (v20 * (e1 * (v14 * v22) - v15 * T32) - v19 * v21));
+    const four q6_m = q6_p - copysign_four(all_four(half_turn), v25) * h1;
+
+    /* joint values */
+    const four v26 = atan2_four(s2, -v13) - offset2;
+    const four q2_p = v26 - pick_four(half_turn < v26, all_four(m2), all_four(0.0));
+    const four v27 = atan2_four(s3, -v6);
+    const four v28 = copysign_four(all_four(half_turn), s3);
+    const four v29 = m1 * (1.0 - e2);
+    const four v30 = e2 * v27 + v28 * v29 - offset3;
+    const four q3_p = v30 + pick_four(v30 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v31 = atan2_four(-(e1 * v20), -v19);
+    const four v32 = v31 - offset4;
+    const four v33 = v31 - h1 * copysign_four(all_four(half_turn), -(e1 * v20)) - offset4;
+    const four q4_p = v32 + pick_four(v32 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q4_m = v33 + pick_four(v33 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v34 = atan2_four(w4, T33 * v14 + e1 * (v15 * v16));
+    const four v35 = v34 - offset5;
+    const four v36 = offset5 + v34;
+    const four q5_p = v35 + pick_four(v35 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q5_m = pick_four(-v36 <= -half_turn, all_four(m2), all_four(0.0)) - v36;
+    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
+    const four_mask v37 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v37;
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -377,8 +1085,13 @@ int abb_irb1600_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? ABB_IRB1600_UNREACHABLE : ABB_IRB1600_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -432,6 +1145,16 @@ int abb_irb1600_ik_nearest(const double T[16], const double q_seed[6], double q[
 
 void abb_irb1600_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)abb_irb1600_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)abb_irb1600_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

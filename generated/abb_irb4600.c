@@ -41,7 +41,7 @@ static const double low3 = -3.141592654589793; /* lowest value of joint 3 */
 static const double high3 = 1.3089969399957473; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.0943951033931953; /* highest value of joint 5 */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const abb_irb4600_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -236,9 +236,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef ABB_IRB4600_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -685,12 +685,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -732,7 +732,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -810,7 +810,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v22 = q3_ - pick_four(high3 < q3_, all_four(whole_turn), all_four(0.0));
     const four_mask v23 = (v22 < low3) | (high3 < v22);
     const four q3_p = pick_four(v23, q3_, v22);
-    const four q1_p = v2 + v3 * (g1 * (e1 - 1.0)) + (w3 - w3);
+    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
     const four_mask v24 = v23 | ((q2_p < low2) | (high2 < q2_p));
     const four_mask outside_p = v24 | ((q5_p < low5) | (high5 < q5_p));
     const four_mask outside_m = v24 | ((-q5_p < low5) | (high5 < -q5_p));

@@ -19,7 +19,7 @@ static const double free_limit_squared2 = 5.7599999999999994e-18;
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double g1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_branches[1] = {
     "only",
@@ -133,9 +133,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef ADEPT_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -364,8 +364,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide_mask free1_ = (w12 <= free_limit_squared) | (w1 <= free_limit_squared2);
     const wide v9 = v7 - v7;
     const wide q1 = q1_ + v9;
-    const wide q2 = v9 + (v8 - pick_wide(half_turn < v8, all_wide(g1), all_wide(0.0)) + pick_wide(v8
-        <= -half_turn, all_wide(g1), all_wide(0.0)));
+    const wide q2 = v9 + (v8 - pick_wide(half_turn < v8, all_wide(m1), all_wide(0.0)) + pick_wide(v8
+        <= -half_turn, all_wide(m1), all_wide(0.0)));
     const wide q3 = r3 + v9;
     const wide_mask doubt = free1_ | free1_;
 
@@ -394,12 +394,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -485,8 +485,8 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const int free1_ = (w12 <= free_limit_squared) | (w1 <= free_limit_squared2);
     const double v9 = v7 - v7;
     const four q1 = q1_ + v9;
-    const four q2 = v9 + (v8 - pick_four(half_turn < v8, all_four(g1), all_four(0.0)) + pick_four(v8
-        <= -half_turn, all_four(g1), all_four(0.0)));
+    const four q2 = v9 + (v8 - pick_four(half_turn < v8, all_four(m1), all_four(0.0)) + pick_four(v8
+        <= -half_turn, all_four(m1), all_four(0.0)));
     const double q3 = r3 + v9;
     const int doubt = free1_ | free1_;
 

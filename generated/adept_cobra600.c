@@ -30,7 +30,7 @@ static const double pose_slack1 = 9.87e-06; /* a pose may be rounded by this [m]
 static const double k1 = 0.18125000000000002; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 5.594405594405594; /* 1 / (2 * a2 * a1) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double g1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_cobra600_branches[2] = {
     "down", "up",
@@ -151,9 +151,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef ADEPT_COBRA600_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -414,10 +414,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v14 = v11 + (r3 + (w2 - w2));
     const wide q3_p = v12 + v14;
     const wide q3_m = v13 + v14;
-    const wide q4_p = v12 + (v11 + (v9 - pick_wide(half_turn < v9, all_wide(g1), all_wide(0.0)) +
-        pick_wide(v9 <= -half_turn, all_wide(g1), all_wide(0.0))));
-    const wide q4_m = v13 + (v11 + (v10 - pick_wide(half_turn < v10, all_wide(g1), all_wide(0.0)) +
-        pick_wide(v10 <= -half_turn, all_wide(g1), all_wide(0.0))));
+    const wide q4_p = v12 + (v11 + (v9 - pick_wide(half_turn < v9, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v9 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide q4_m = v13 + (v11 + (v10 - pick_wide(half_turn < v10, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v10 <= -half_turn, all_wide(m1), all_wide(0.0))));
     const wide_mask doubt = (free1_m | (free12m4 | free1_m)) | ((free12m4 | (((shortest2_reach <=
         N2) & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
         (free1_p | (free12m4 | free1_p)));
@@ -453,12 +453,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -562,8 +562,8 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four q2 = v11 + (v8 + v10);
     const double v12 = v10 + (r3 + (w2 - w2));
     const four q3 = v11 + v12;
-    const four q4 = v11 + (v10 + (v9 - pick_four(half_turn < v9, all_four(g1), all_four(0.0)) +
-        pick_four(v9 <= -half_turn, all_four(g1), all_four(0.0))));
+    const four q4 = v11 + (v10 + (v9 - pick_four(half_turn < v9, all_four(m1), all_four(0.0)) +
+        pick_four(v9 <= -half_turn, all_four(m1), all_four(0.0))));
     const int doubt1 = free12m4 | (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free1 | ((all_four(free12m4 ?

@@ -42,6 +42,17 @@ static const double k4 = 0.8735999999999999; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.259; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.9136009999999999; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k7 = 1.204444941425193; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low1 = -3.141590001; /* lowest value of joint 1 */
+static const double high1 = 3.141590001; /* highest value of joint 1 */
+static const double low2 = -0.872660001; /* lowest value of joint 2 */
+static const double high2 = 1.658000001; /* highest value of joint 2 */
+static const double low3 = -2.967000001; /* lowest value of joint 3 */
+static const double high3 = 1.919800001; /* highest value of joint 3 */
+static const double low5 = -3.141590001; /* lowest value of joint 5 */
+static const double high5 = 3.141590001; /* highest value of joint 5 */
+static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const comau_ns16_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -238,6 +249,778 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef COMAU_NS16_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DCOMAU_NS16_SCALAR. With -DCOMAU_NS16_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(COMAU_NS16_SCALAR) && !defined(COMAU_NS16_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef COMAU_NS16_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & COMAU_NS16_UNREACHABLE) | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)COMAU_NS16_UNREACHABLE : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = d6 * T23 - T24;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = k1 * X1;
+    const wide v2 = k1 * wy;
+    const wide v3 = X1 * w1;
+    const wide c1_p = inverse1 * (v2 - v3);
+    const wide c1_m = inverse1 * (v2 + v3);
+    const wide v4 = wy * w1;
+    const wide s1_p = inverse1 * (v1 + v4);
+    const wide s1_m = inverse1 * (v1 - v4);
+    const wide q1__p = atan2_wide(s1_p, c1_p);
+    const wide q1__m = atan2_wide(s1_m, c1_m);
+
+    /* theta3 */
+    const wide Z1_3 = d1 + (d6 * T33 - T34);
+    const wide Z2_3_p = w1 - a1;
+    const wide v5 = a1 + w1;
+    const wide v6 = Z1_3 * Z1_3;
+    const wide N3_p = v6 + Z2_3_p * Z2_3_p;
+    const wide N3_m = v6 + v5 * v5;
+    const wide K3_p = N3_p - k6;
+    const wide K3_m = N3_m - k6;
+    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
+    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide v7 = k4 * K3_p;
+    const wide v8 = k4 * K3_m;
+    const wide v9 = k5 * w3_p;
+    const wide v10 = k5 * w3_m;
+    const wide s3_pp = k7 * (v7 + v9);
+    const wide s3_pm = k7 * (v7 - v9);
+    const wide s3_mp = k7 * (v8 + v10);
+    const wide s3_mm = k7 * (v8 - v10);
+    const wide v11 = k5 * K3_p;
+    const wide v12 = k5 * K3_m;
+    const wide v13 = k4 * w3_p;
+    const wide v14 = k4 * w3_m;
+    const wide c3_pp = k7 * (v11 - v13);
+    const wide c3_pm = k7 * (v11 + v13);
+    const wide c3_mp = k7 * (v12 - v14);
+    const wide c3_mm = k7 * (v12 + v14);
+
+    /* theta2 */
+    const wide X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp);
+    const wide X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
+    const wide X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
+    const wide X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
+    const wide Y1_2_pp = d4 * c3_pp - a3 * s3_pp;
+    const wide Y1_2_pm = d4 * c3_pm - a3 * s3_pm;
+    const wide Y1_2_mp = d4 * c3_mp - a3 * s3_mp;
+    const wide Y1_2_mm = d4 * c3_mm - a3 * s3_mm;
+    const wide S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp;
+    const wide S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm;
+    const wide S2_mp = Z1_3 * X1_2_mp + v5 * Y1_2_mp;
+    const wide S2_mm = Z1_3 * X1_2_mm + v5 * Y1_2_mm;
+    const wide C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp;
+    const wide C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm;
+    const wide v15 = v5 * X1_2_mp + Z1_3 * -Y1_2_mp;
+    const wide v16 = v5 * X1_2_mm + Z1_3 * -Y1_2_mm;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
+    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
+    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v15 * v15);
+    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v16 * v16);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_pm = C2_pm * factor2_pm;
+    const wide v17 = v15 * factor2_mp;
+    const wide v18 = v16 * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_pm = S2_pm * factor2_pm;
+    const wide s2_mp = S2_mp * factor2_mp;
+    const wide s2_mm = S2_mm * factor2_mm;
+
+    /* theta4 */
+    const wide c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp;
+    const wide c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm;
+    const wide c2m3_mp = s3_mp * s2_mp - c3_mp * v17;
+    const wide c2m3_mm = s3_mm * s2_mm - c3_mm * v18;
+    const wide s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp;
+    const wide s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm;
+    const wide s2m3_mp = c3_mp * s2_mp + s3_mp * v17;
+    const wide s2m3_mm = c3_mm * s2_mm + s3_mm * v18;
+    const wide v19 = T13 * c1_p - T23 * s1_p;
+    const wide v20 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v19;
+    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v19;
+    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v20;
+    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v20;
+    const wide Y4_p = T23 * c1_p + T13 * s1_p;
+    const wide Y4_m = T23 * c1_m + T13 * s1_m;
+    const wide v21 = Y4_p * Y4_p;
+    const wide v22 = Y4_m * Y4_m;
+    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v22 + X4_mp * X4_mp);
+    const wide w4_mm = sqrt_wide(v22 + X4_mm * X4_mm);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v23 = X4_pp * factor4_pp;
+    const wide v24 = X4_pm * factor4_pm;
+    const wide v25 = X4_mp * factor4_mp;
+    const wide v26 = X4_mm * factor4_mm;
+    const wide s4_pp = Y4_p * factor4_pp;
+    const wide s4_pm = Y4_p * factor4_pm;
+    const wide s4_mp = Y4_m * factor4_mp;
+    const wide s4_mm = Y4_m * factor4_mm;
+
+    /* theta6 */
+    const wide v27 = c1_p * T22 + s1_p * T12;
+    const wide v28 = c1_m * T22 + s1_m * T12;
+    const wide v29 = c1_p * T12 - s1_p * T22;
+    const wide v30 = c1_m * T12 - s1_m * T22;
+    const wide v31 = c1_p * T21 + s1_p * T11;
+    const wide v32 = c1_m * T21 + s1_m * T11;
+    const wide v33 = c1_p * T11 - s1_p * T21;
+    const wide v34 = c1_m * T11 - s1_m * T21;
+    const wide s6_pp = s4_pp * (c2m3_pp * v33 - s2m3_pp * T31) + v23 * v31;
+    const wide s6_pm = s4_pm * (c2m3_pm * v33 - s2m3_pm * T31) + v24 * v31;
+    const wide s6_mp = s4_mp * (c2m3_mp * v34 - s2m3_mp * T31) + v25 * v32;
+    const wide s6_mm = s4_mm * (c2m3_mm * v34 - s2m3_mm * T31) + v26 * v32;
+
+    /* joint values */
+    const wide v35 = atan2_wide(s2_pp, c2_pp) - offset2;
+    const wide v36 = atan2_wide(s2_pm, c2_pm) - offset2;
+    const wide v37 = atan2_wide(s2_mp, -v17) - offset2;
+    const wide v38 = atan2_wide(s2_mm, -v18) - offset2;
+    const wide q2_ppp = v35 - pick_wide(half_turn < v35, all_wide(m1), all_wide(0.0));
+    const wide q2_pmp = v36 - pick_wide(half_turn < v36, all_wide(m1), all_wide(0.0));
+    const wide q2_mpp = v37 - pick_wide(half_turn < v37, all_wide(m1), all_wide(0.0));
+    const wide q2_mmp = v38 - pick_wide(half_turn < v38, all_wide(m1), all_wide(0.0));
+    const wide v39 = atan2_wide(s3_pp, c3_pp) - offset3;
+    const wide v40 = atan2_wide(s3_pm, c3_pm) - offset3;
+    const wide v41 = atan2_wide(s3_mp, c3_mp) - offset3;
+    const wide v42 = atan2_wide(s3_mm, c3_mm) - offset3;
+    const wide q3_ppp = v39 + pick_wide(v39 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q3_pmp = v40 + pick_wide(v40 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q3_mpp = v41 + pick_wide(v41 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q3_mmp = v42 + pick_wide(v42 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide v43 = atan2_wide(s4_pp, -v23);
+    const wide v44 = atan2_wide(s4_pm, -v24);
+    const wide v45 = atan2_wide(s4_mp, -v25);
+    const wide v46 = atan2_wide(s4_mm, -v26);
+    const wide v47 = v43 - offset4;
+    const wide v48 = v43 - copysign_wide(all_wide(half_turn), s4_pp) * h1 - offset4;
+    const wide v49 = v44 - offset4;
+    const wide v50 = v44 - copysign_wide(all_wide(half_turn), s4_pm) * h1 - offset4;
+    const wide v51 = v45 - offset4;
+    const wide v52 = v45 - copysign_wide(all_wide(half_turn), s4_mp) * h1 - offset4;
+    const wide v53 = v46 - offset4;
+    const wide v54 = v46 - copysign_wide(all_wide(half_turn), s4_mm) * h1 - offset4;
+    const wide q4_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_ppm = v48 + pick_wide(v48 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_pmm = v50 + pick_wide(v50 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_mpp = v51 + pick_wide(v51 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_mpm = v52 + pick_wide(v52 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_mmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q4_mmm = v54 + pick_wide(v54 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide v55 = atan2_wide(-w4_pp, T33 * c2m3_pp + s2m3_pp * v19);
+    const wide v56 = atan2_wide(-w4_pm, T33 * c2m3_pm + s2m3_pm * v19);
+    const wide v57 = atan2_wide(-w4_mp, T33 * c2m3_mp + s2m3_mp * v20);
+    const wide v58 = atan2_wide(-w4_mm, T33 * c2m3_mm + s2m3_mm * v20);
+    const wide v59 = v55 - offset5;
+    const wide v60 = offset5 + v55;
+    const wide v61 = v56 - offset5;
+    const wide v62 = offset5 + v56;
+    const wide v63 = v57 - offset5;
+    const wide v64 = offset5 + v57;
+    const wide v65 = v58 - offset5;
+    const wide v66 = offset5 + v58;
+    const wide q5_ppp = v59 + pick_wide(v59 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v60 <= -half_turn, all_wide(m1), all_wide(0.0)) - v60;
+    const wide q5_pmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v62 <= -half_turn, all_wide(m1), all_wide(0.0)) - v62;
+    const wide q5_mpp = v63 + pick_wide(v63 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v64 <= -half_turn, all_wide(m1), all_wide(0.0)) - v64;
+    const wide q5_mmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v66 <= -half_turn, all_wide(m1), all_wide(0.0)) - v66;
+    const wide v67 = atan2_wide(s6_pp, -(v23 * v27 + s4_pp * (c2m3_pp * v29 - s2m3_pp * T32)));
+    const wide v68 = atan2_wide(s6_pm, -(v24 * v27 + s4_pm * (c2m3_pm * v29 - s2m3_pm * T32)));
+    const wide v69 = atan2_wide(s6_mp, -(v25 * v28 + s4_mp * (c2m3_mp * v30 - s2m3_mp * T32)));
+    const wide v70 = atan2_wide(s6_mm, -(v26 * v28 + s4_mm * (c2m3_mm * v30 - s2m3_mm * T32)));
+    const wide v71 = v67 - offset6;
+    const wide v72 = v67 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
+    const wide v73 = v68 - offset6;
+    const wide v74 = v68 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
+    const wide v75 = v69 - offset6;
+    const wide v76 = v69 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
+    const wide v77 = v70 - offset6;
+    const wide v78 = v70 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
+    const wide q6_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_ppm = v72 + pick_wide(v72 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_pmp = v73 + pick_wide(v73 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_pmm = v74 + pick_wide(v74 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_mpm = v76 + pick_wide(v76 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_mmp = v77 + pick_wide(v77 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide q6_mmm = v78 + pick_wide(v78 <= -half_turn, all_wide(m1), all_wide(0.0));
+    const wide_mask v79 = (q1__p < low1) | (high1 < q1__p);
+    const wide_mask v80 = (q1__m < low1) | (high1 < q1__m);
+    const wide q1_ppp = q1__p + (w3_p - w3_p);
+    const wide q1_mpp = q1__m + (w3_m - w3_m);
+    const wide_mask v81 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v79 | ((q2_ppp < low2) | (high2 <
+        q2_ppp)));
+    const wide_mask v82 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v79 | ((q2_pmp < low2) | (high2 <
+        q2_pmp)));
+    const wide_mask v83 = ((q3_mpp < low3) | (high3 < q3_mpp)) | (v80 | ((q2_mpp < low2) | (high2 <
+        q2_mpp)));
+    const wide_mask v84 = ((q3_mmp < low3) | (high3 < q3_mmp)) | (v80 | ((q2_mmp < low2) | (high2 <
+        q2_mmp)));
+    const wide_mask outside_ppp = v81 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v81 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v82 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v82 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v83 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v83 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v84 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v84 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
+        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
+        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
+        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
+        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) &
+        (free1 | ((k3 < D1) == 0)))))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppm;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmm;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_mpp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_mpp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpm;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_mmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_mmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmm;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14;
+    const double wy = d6 * T23 - T24;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = k1 * X1;
+    const double v2 = k1 * wy;
+    const double v3 = X1 * w1;
+    const four c1 = inverse1 * (v2 - e1 * v3);
+    const double v4 = wy * w1;
+    const four s1 = inverse1 * (v1 + e1 * v4);
+    const four q1_ = atan2_four(s1, c1);
+
+    /* theta3 */
+    const double Z1_3 = d1 + (d6 * T33 - T34);
+    const four Z2_3 = e1 * w1 - a1;
+    const double v5 = Z1_3 * Z1_3;
+    const four N3 = v5 + Z2_3 * Z2_3;
+    const four K3 = N3 - k6;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four v6 = k4 * K3;
+    const four v7 = k5 * w3;
+    const four s3 = k7 * (v6 + e2 * v7);
+    const four v8 = k5 * K3;
+    const four v9 = k4 * w3;
+    const four c3 = k7 * (v8 - e2 * v9);
+
+    /* theta2 */
+    const four X1_2 = a2 + (a3 * c3 + d4 * s3);
+    const four Y1_2 = d4 * c3 - a3 * s3;
+    const four S2 = Z1_3 * X1_2 - Z2_3 * Y1_2;
+    const four C2 = Z2_3 * X1_2 - Z1_3 * -Y1_2;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four s2 = S2 * factor2;
+
+    /* theta4 */
+    const four c2m3 = c3 * c2 + s3 * s2;
+    const four s2m3 = c3 * s2 - s3 * c2;
+    const four v10 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v10;
+    const four Y4 = T23 * c1 + T13 * s1;
+    const four v11 = Y4 * Y4;
+    const four w4 = sqrt_four(v11 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v12 = X4 * factor4;
+    const four s4 = Y4 * factor4;
+
+    /* theta6 */
+    const four v13 = c1 * T22 + s1 * T12;
+    const four v14 = c1 * T12 - s1 * T22;
+    const four v15 = c1 * T21 + s1 * T11;
+    const four v16 = c1 * T11 - s1 * T21;
+    const four s6 = s4 * (c2m3 * v16 - s2m3 * T31) + v12 * v15;
+
+    /* joint values */
+    const four v17 = atan2_four(s2, c2) - offset2;
+    const four q2_p = v17 - pick_four(half_turn < v17, all_four(m1), all_four(0.0));
+    const four v18 = atan2_four(s3, c3) - offset3;
+    const four q3_p = v18 + pick_four(v18 <= -half_turn, all_four(m1), all_four(0.0));
+    const four v19 = atan2_four(s4, -v12);
+    const four v20 = v19 - offset4;
+    const four v21 = v19 - copysign_four(all_four(half_turn), s4) * h1 - offset4;
+    const four q4_p = v20 + pick_four(v20 <= -half_turn, all_four(m1), all_four(0.0));
+    const four q4_m = v21 + pick_four(v21 <= -half_turn, all_four(m1), all_four(0.0));
+    const four v22 = atan2_four(-w4, T33 * c2m3 + s2m3 * v10);
+    const four v23 = v22 - offset5;
+    const four v24 = offset5 + v22;
+    const four q5_p = v23 + pick_four(v23 <= -half_turn, all_four(m1), all_four(0.0));
+    const four q5_m = pick_four(-v24 <= -half_turn, all_four(m1), all_four(0.0)) - v24;
+    const four v25 = atan2_four(s6, -(v12 * v13 + s4 * (c2m3 * v14 - s2m3 * T32)));
+    const four v26 = v25 - offset6;
+    const four v27 = v25 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v26 + pick_four(v26 <= -half_turn, all_four(m1), all_four(0.0));
+    const four q6_m = v27 + pick_four(v27 <= -half_turn, all_four(m1), all_four(0.0));
+    const four_mask v28 = (q1_ < low1) | (high1 < q1_);
+    const four q1_p = q1_ + (w3 - w3);
+    const four_mask v29 = ((q3_p < low3) | (high3 < q3_p)) | (v28 | ((q2_p < low2) | (high2 <
+        q2_p)));
+    const four_mask outside_p = v29 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v29 | ((q5_m < low5) | (high5 < q5_m));
+    const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
+    const four_mask v30 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v30;
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -393,8 +1176,13 @@ int comau_ns16_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? COMAU_NS16_UNREACHABLE : COMAU_NS16_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -448,6 +1236,15 @@ int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6
 
 void comau_ns16_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)comau_ns16_ik(T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)comau_ns16_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

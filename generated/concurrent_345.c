@@ -665,8 +665,8 @@ int concurrent_345_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    const int valid = read_pose(T, pose);
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? CONCURRENT_345_UNREACHABLE : CONCURRENT_345_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -720,6 +720,7 @@ int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double
 
 void concurrent_345_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)concurrent_345_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

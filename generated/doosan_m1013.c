@@ -37,6 +37,9 @@ static const double k3 = 1.0260300000002213e-15; /* merge_slack1 * (2 * d2 + mer
 static const double k4 = 0.6931600000000001; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.6968810000000001; /* a2^2 + d4^2 [m^2] */
 static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -225,6 +228,706 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef DOOSAN_M1013_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DDOOSAN_M1013_SCALAR. With -DDOOSAN_M1013_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(DOOSAN_M1013_SCALAR) && !defined(DOOSAN_M1013_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef DOOSAN_M1013_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & DOOSAN_M1013_UNREACHABLE) | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)DOOSAN_M1013_UNREACHABLE : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = T24 - d6 * T23;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = d2 * X1;
+    const wide v2 = d2 * wy;
+    const wide v3 = X1 * w1;
+    const wide v4 = inverse1 * (v2 + v3);
+    const wide v5 = inverse1 * (v2 - v3);
+    const wide v6 = wy * w1;
+    const wide s1_p = inverse1 * (v6 - v1);
+    const wide v7 = inverse1 * (v1 + v6);
+
+    /* theta3 */
+    const wide Z1_3 = T34 - d6 * T33 - d1;
+    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide s3 = k6 * (k4 * (N3 - k5));
+    const wide v8 = k6 * (k4 * w3);
+
+    /* theta2 */
+    const wide X1_2 = a2 + d4 * s3;
+    const wide Y1_2 = d4 * v8;
+    const wide v9 = Z1_3 * X1_2;
+    const wide v10 = w1 * Y1_2;
+    const wide S2_pp = v9 - v10;
+    const wide S2_pm = v9 + v10;
+    const wide v11 = w1 * X1_2;
+    const wide v12 = Z1_3 * Y1_2;
+    const wide C2_pp = v11 + v12;
+    const wide C2_pm = v11 - v12;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
+    const wide v13 = S2_pm * S2_pm;
+    const wide w2_pm = sqrt_wide(v13 + C2_pm * C2_pm);
+    const wide w2_mp = sqrt_wide(v13 + -C2_pm * -C2_pm);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_pm = C2_pm * factor2_pm;
+    const wide c2_mp = -C2_pm * factor2_mp;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_pm = S2_pm * factor2_pm;
+    const wide s2_mp = S2_pm * factor2_mp;
+
+    /* theta4 */
+    const wide v14 = s3 * s2_pp + v8 * c2_pp;
+    const wide v15 = s3 * s2_pm - v8 * c2_pm;
+    const wide v16 = s3 * s2_mp + v8 * c2_mp;
+    const wide s23_pp = s3 * c2_pp - v8 * s2_pp;
+    const wide s23_pm = s3 * c2_pm + v8 * s2_pm;
+    const wide s23_mp = s3 * c2_mp - v8 * s2_mp;
+    const wide v17 = T23 * s1_p - T13 * v4;
+    const wide v18 = T23 * v7 + T13 * v5;
+    const wide X4_pp = v14 * v17 - T33 * s23_pp;
+    const wide X4_pm = v15 * v17 - T33 * s23_pm;
+    const wide v19 = v16 * v18 + T33 * s23_mp;
+    const wide v20 = v14 * v18 + T33 * -s23_pp;
+    const wide Y4_p = T13 * s1_p + T23 * v4;
+    const wide Y4_m = T23 * v5 - T13 * v7;
+    const wide v21 = Y4_p * Y4_p;
+    const wide v22 = Y4_m * Y4_m;
+    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v22 + v19 * v19);
+    const wide w4_mm = sqrt_wide(v22 + v20 * v20);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v23 = X4_pp * factor4_pp;
+    const wide v24 = X4_pm * factor4_pm;
+    const wide v25 = v19 * factor4_mp;
+    const wide v26 = v20 * factor4_mm;
+    const wide s4_pp = Y4_p * factor4_pp;
+    const wide s4_pm = Y4_p * factor4_pm;
+    const wide s4_mp = Y4_m * factor4_mp;
+    const wide s4_mm = Y4_m * factor4_mm;
+
+    /* theta6 */
+    const wide v27 = v4 * T22 + s1_p * T12;
+    const wide v28 = v5 * T22 - v7 * T12;
+    const wide v29 = s1_p * T22 - v4 * T12;
+    const wide v30 = v7 * T22 + v5 * T12;
+    const wide v31 = v4 * T21 + s1_p * T11;
+    const wide v32 = v5 * T21 - v7 * T11;
+    const wide v33 = s1_p * T21 - v4 * T11;
+    const wide v34 = v7 * T21 + v5 * T11;
+    const wide s6_pp = v23 * v31 + s4_pp * (s23_pp * T31 - v14 * v33);
+    const wide s6_pm = v24 * v31 + s4_pm * (s23_pm * T31 - v15 * v33);
+    const wide s6_mp = s4_mp * (s23_mp * T31 + v16 * v34) - v25 * v32;
+    const wide s6_mm = s4_mm * (-s23_pp * T31 + v14 * v34) - v26 * v32;
+    const wide q6_ppp = atan2_wide(s6_pp, v23 * v27 + s4_pp * (s23_pp * T32 - v14 * v29));
+    const wide q6_pmp = atan2_wide(s6_pm, v24 * v27 + s4_pm * (s23_pm * T32 - v15 * v29));
+    const wide q6_mpp = atan2_wide(s6_mp, s4_mp * (s23_mp * T32 + v16 * v30) - v25 * v28);
+    const wide q6_mmp = atan2_wide(s6_mm, s4_mm * (-s23_pp * T32 + v14 * v30) - v26 * v28);
+    const wide q6_ppm = q6_ppp - copysign_wide(all_wide(half_turn), s6_pp) * h1;
+    const wide q6_pmm = q6_pmp - copysign_wide(all_wide(half_turn), s6_pm) * h1;
+    const wide q6_mpm = q6_mpp - copysign_wide(all_wide(half_turn), s6_mp) * h1;
+    const wide q6_mmm = q6_mmp - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+
+    /* joint values */
+    const wide v35 = atan2_wide(s2_pp, c2_pp) - offset2;
+    const wide v36 = atan2_wide(s2_pm, c2_pm) - offset2;
+    const wide v37 = atan2_wide(s2_mp, c2_mp) - offset2;
+    const wide v38 = atan2_wide(s2_pp, -c2_pp) - offset2;
+    const wide q2_ppp = v35 + pick_wide(v35 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v39 = atan2_wide(s3, -v8);
+    const wide v40 = v39 - offset3;
+    const wide v41 = h1 * copysign_wide(all_wide(half_turn), s3) - v39 - offset3;
+    const wide q3_ppp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_pmp = v41 + pick_wide(v41 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v42 = atan2_wide(s4_pp, -v23);
+    const wide v43 = atan2_wide(s4_pm, -v24);
+    const wide v44 = atan2_wide(s4_mp, v25);
+    const wide v45 = atan2_wide(s4_mm, v26);
+    const wide v46 = v42 - offset4;
+    const wide v47 = v42 - h1 * copysign_wide(all_wide(half_turn), s4_pp) - offset4;
+    const wide v48 = v43 - offset4;
+    const wide v49 = v43 - h1 * copysign_wide(all_wide(half_turn), s4_pm) - offset4;
+    const wide v50 = v44 - offset4;
+    const wide v51 = v44 - h1 * copysign_wide(all_wide(half_turn), s4_mp) - offset4;
+    const wide v52 = v45 - offset4;
+    const wide v53 = v45 - h1 * copysign_wide(all_wide(half_turn), s4_mm) - offset4;
+    const wide q4_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_ppm = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmm = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpm = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmm = v53 + pick_wide(v53 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v54 = T33 * v14;
+    const wide v55 = atan2_wide(w4_pp, -(v54 + s23_pp * v17));
+    const wide v56 = atan2_wide(w4_pm, -(T33 * v15 + s23_pm * v17));
+    const wide v57 = atan2_wide(w4_mp, s23_mp * v18 - T33 * v16);
+    const wide v58 = atan2_wide(w4_mm, -s23_pp * v18 - v54);
+    const wide v59 = v55 - offset5;
+    const wide v60 = offset5 + v55;
+    const wide v61 = v56 - offset5;
+    const wide v62 = offset5 + v56;
+    const wide v63 = v57 - offset5;
+    const wide v64 = offset5 + v57;
+    const wide v65 = v58 - offset5;
+    const wide v66 = offset5 + v58;
+    const wide q5_ppp = v59 + pick_wide(v59 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v60 <= -half_turn, all_wide(m2), all_wide(0.0)) - v60;
+    const wide q5_pmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v62 <= -half_turn, all_wide(m2), all_wide(0.0)) - v62;
+    const wide q5_mpp = v63 + pick_wide(v63 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v64 <= -half_turn, all_wide(m2), all_wide(0.0)) - v64;
+    const wide q5_mmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v66 <= -half_turn, all_wide(m2), all_wide(0.0)) - v66;
+    const wide v67 = w3 - w3;
+    const wide q1_ppp = v67 + atan2_wide(s1_p, -v4);
+    const wide q1_mpp = v67 + atan2_wide(-v7, -v5);
+    const wide_mask v68 = w2_pp <= free_limit_squared2;
+    const wide_mask doubt = (v68 | (w4_mm <= free_limit)) | (((w2_mp <= free_limit_squared2) |
+        (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <= free_limit)) |
+        (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))))) | (v68 |
+        (w4_pp <= free_limit)))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppm;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmm;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpm;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_pmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_pmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmm;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14;
+    const double wy = T24 - d6 * T23;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = d2 * X1;
+    const double v2 = d2 * wy;
+    const double v3 = X1 * w1;
+    const four v4 = inverse1 * (v2 + e1 * v3);
+    const double v5 = wy * w1;
+    const four s1 = inverse1 * (e1 * v5 - v1);
+
+    /* theta3 */
+    const double Z1_3 = T34 - d6 * T33 - d1;
+    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double s3 = k6 * (k4 * (N3 - k5));
+    const double v6 = k6 * (k4 * w3);
+
+    /* theta2 */
+    const double X1_2 = a2 + d4 * s3;
+    const double Y1_2 = d4 * v6;
+    const double v7 = Z1_3 * X1_2;
+    const double v8 = w1 * Y1_2;
+    const four S2 = v7 - v8 * (e1 * e2);
+    const double v9 = w1 * X1_2;
+    const double v10 = Z1_3 * Y1_2;
+    const four v11 = e1 * v9;
+    const four v12 = e2 * v10;
+    const four C2 = v11 + v12;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four s2 = S2 * factor2;
+
+    /* theta4 */
+    const four v13 = s3 * s2 + e2 * (v6 * c2);
+    const four s23 = s3 * c2 - e2 * (v6 * s2);
+    const four v14 = T23 * s1 - T13 * v4;
+    const four X4 = v13 * v14 - T33 * s23;
+    const four Y4 = T13 * s1 + T23 * v4;
+    const four v15 = Y4 * Y4;
+    const four w4 = sqrt_four(v15 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v16 = X4 * factor4;
+    const four s4 = Y4 * factor4;
+
+    /* theta6 */
+    const four v17 = v4 * T22 + s1 * T12;
+    const four v18 = s1 * T22 - v4 * T12;
+    const four v19 = v4 * T21 + s1 * T11;
+    const four v20 = s1 * T21 - v4 * T11;
+    const four s6 = v16 * v19 + s4 * (s23 * T31 - v13 * v20);
+    const four q6_p = atan2_four(s6, v16 * v17 + s4 * (s23 * T32 - v13 * v18));
+    const four q6_m = q6_p - copysign_four(all_four(half_turn), s6) * h1;
+
+    /* joint values */
+    const four v21 = atan2_four(s2, c2) - offset2;
+    const four q2_p = v21 + pick_four(v21 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v22 = atan2_four(all_four(s3), all_four(-v6));
+    const double v23 = copysign(half_turn, s3);
+    const four v24 = e2 * v22 + v23 * (m1 * (1.0 - e2)) - offset3;
+    const four q3_p = v24 + pick_four(v24 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v25 = atan2_four(s4, -v16);
+    const four v26 = v25 - offset4;
+    const four v27 = v25 - h1 * copysign_four(all_four(half_turn), s4) - offset4;
+    const four q4_p = v26 + pick_four(v26 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q4_m = v27 + pick_four(v27 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v28 = atan2_four(w4, -(T33 * v13 + s23 * v14));
+    const four v29 = v28 - offset5;
+    const four v30 = offset5 + v28;
+    const four q5_p = v29 + pick_four(v29 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q5_m = pick_four(-v30 <= -half_turn, all_four(m2), all_four(0.0)) - v30;
+    const double v31 = w3 - w3;
+    const four q1_p = v31 + atan2_four(s1, -v4);
+    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
+        (w4 <= free_limit));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -378,8 +1081,13 @@ int doosan_m1013_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? DOOSAN_M1013_UNREACHABLE : DOOSAN_M1013_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -433,6 +1141,16 @@ int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void doosan_m1013_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)doosan_m1013_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)doosan_m1013_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

@@ -45,8 +45,8 @@ static const double low3 = -1.2217304773960307; /* lowest value of joint 3 */
 static const double high3 = 3.5779249675883755; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const fanuc_lrmate200id_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -249,9 +249,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef FANUC_LRMATE200ID_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -583,10 +583,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v40 = atan2_wide(-v18, c2_pm) - offset2;
     const wide v41 = atan2_wide(-v19, c2_mp) - offset2;
     const wide v42 = atan2_wide(-v20, c2_mm) - offset2;
-    const wide q2_ppp = v39 - pick_wide(half_turn < v39, all_wide(g2), all_wide(0.0));
-    const wide q2_pmp = v40 - pick_wide(half_turn < v40, all_wide(g2), all_wide(0.0));
-    const wide q2_mpp = v41 - pick_wide(half_turn < v41, all_wide(g2), all_wide(0.0));
-    const wide q2_mmp = v42 - pick_wide(half_turn < v42, all_wide(g2), all_wide(0.0));
+    const wide q2_ppp = v39 - pick_wide(half_turn < v39, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v40 - pick_wide(half_turn < v40, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v41 - pick_wide(half_turn < v41, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v42 - pick_wide(half_turn < v42, all_wide(m2), all_wide(0.0));
     const wide v43 = atan2_wide(w4_pp, T31 * c2m3_pp - v21 * v25);
     const wide v44 = atan2_wide(w4_pm, T31 * c2m3_pm - v22 * v25);
     const wide v45 = atan2_wide(w4_mp, T31 * c2m3_mp + v23 * v25);
@@ -599,14 +599,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v52 = offset5 + v45;
     const wide v53 = v46 - offset5;
     const wide v54 = offset5 + v46;
-    const wide q5_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v48 <= -half_turn, all_wide(g2), all_wide(0.0)) - v48;
-    const wide q5_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v50 <= -half_turn, all_wide(g2), all_wide(0.0)) - v50;
-    const wide q5_mpp = v51 + pick_wide(v51 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v52 <= -half_turn, all_wide(g2), all_wide(0.0)) - v52;
-    const wide q5_mmp = v53 + pick_wide(v53 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v54 <= -half_turn, all_wide(g2), all_wide(0.0)) - v54;
+    const wide q5_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - v48;
+    const wide q5_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v50 <= -half_turn, all_wide(m2), all_wide(0.0)) - v50;
+    const wide q5_mpp = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - v52;
+    const wide q5_mmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v54 <= -half_turn, all_wide(m2), all_wide(0.0)) - v54;
     const wide_mask v55 = (q1__p < low1) | (high1 < q1__p);
     const wide_mask v56 = (q1__m < low1) | (high1 < q1__m);
     const wide v57 = q3__pp + pick_wide(q3__pp < low3, all_wide(whole_turn), all_wide(0.0));
@@ -719,12 +719,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -766,7 +766,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -787,7 +787,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double s1 = Y1 * factor1;
     const four v2 = atan2_four(all_four(s1), all_four(-v1));
     const double v3 = copysign(half_turn, s1);
-    const four q1_ = v2 + v3 * (g1 * (e1 - 1.0));
+    const four q1_ = v2 + v3 * (m1 * (e1 - 1.0));
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
@@ -840,12 +840,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v22 = atan2_four(-v11, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(g2), all_four(0.0));
+    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
     const four v23 = atan2_four(w4, T31 * c2m3 - e1 * (v12 * v13));
     const four v24 = v23 - offset5;
     const four v25 = offset5 + v23;
-    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(g2), all_four(0.0));
-    const four q5_m = pick_four(-v25 <= -half_turn, all_four(g2), all_four(0.0)) - v25;
+    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m2), all_four(0.0)) - v25;
     const four_mask v26 = (q1_ < low1) | (high1 < q1_);
     const four v27 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
     const four_mask v28 = (v27 < low3) | (high3 < v27);

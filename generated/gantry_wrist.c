@@ -13,7 +13,7 @@ static const double d4 = 0.1; /* joint offset 4 [m] */
 static const double d6 = 0.12; /* joint offset 6 [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const gantry_wrist_branches[2] = {
     "noflip", "flip",
@@ -135,9 +135,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef GANTRY_WRIST_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -390,12 +390,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -437,7 +437,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][6], unsigned char status[2])
@@ -464,7 +464,7 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     const double s4 = T23 * factor4;
     const four v2 = atan2_four(all_four(s4), all_four(-v1));
     const double v3 = copysign(half_turn, s4);
-    const four v4 = g1 * (e1 - 1.0);
+    const four v4 = m1 * (e1 - 1.0);
     const four q4 = v2 + v3 * v4;
 
     /* theta5 */

@@ -41,6 +41,16 @@ static const double k4 = 2.4956680000016213e-16;
 static const double k5 = 0.255061; /* 2 * d4 * a2 [m^2] */
 static const double k6 = 0.26485210249999996; /* a2^2 + d4^2 [m^2] */
 static const double k7 = 15.371345486276748; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low2 = 0.820304747437335; /* lowest value of joint 2 */
+static const double high2 = 5.462880559742252; /* highest value of joint 2 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
+static const double low3 = 0.3316125568789226; /* lowest value of joint 3 */
+static const double high3 = 5.951572750300664; /* highest value of joint 3 */
+static const double low5 = 0.5235987745982988; /* lowest value of joint 5 */
+static const double high5 = 5.759586532581287; /* highest value of joint 5 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -236,6 +246,764 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KINOVA_J2S6S300_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KINOVA_J2S6S300_SCALAR) && !defined(KINOVA_J2S6S300_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef KINOVA_J2S6S300_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KINOVA_J2S6S300_UNREACHABLE) | (~(none) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KINOVA_J2S6S300_UNREACHABLE : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = d6 * T23 - T24;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k2;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = k1 * X1;
+    const wide v2 = k1 * wy;
+    const wide v3 = X1 * w1;
+    const wide c1_p = inverse1 * (v2 - v3);
+    const wide c1_m = inverse1 * (v2 + v3);
+    const wide v4 = wy * w1;
+    const wide s1_p = inverse1 * (v1 + v4);
+    const wide s1_m = inverse1 * (v1 - v4);
+
+    /* theta3 */
+    const wide Z1_3 = d1 + (d6 * T33 - T34);
+    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide v5 = k7 * (k5 * (N3 - k6));
+    const wide c3 = k7 * (k5 * w3);
+
+    /* theta2 */
+    const wide X1_2 = a2 + d4 * v5;
+    const wide X2_2 = d4 * c3;
+    const wide v6 = Z1_3 * X1_2;
+    const wide v7 = w1 * X2_2;
+    const wide S2_pp = v6 + v7;
+    const wide S2_pm = v6 - v7;
+    const wide v8 = w1 * X1_2;
+    const wide v9 = Z1_3 * X2_2;
+    const wide C2_pp = v8 - v9;
+    const wide C2_pm = v8 + v9;
+    const wide v10 = S2_pp * S2_pp;
+    const wide w2_pp = sqrt_wide(v10 + C2_pp * C2_pp);
+    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
+    const wide w2_mm = sqrt_wide(v10 + -C2_pp * -C2_pp);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_pm = C2_pm * factor2_pm;
+    const wide c2_mm = -C2_pp * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_pm = S2_pm * factor2_pm;
+    const wide s2_mm = S2_pp * factor2_mm;
+
+    /* theta4 */
+    const wide c2m3_pp = c3 * c2_pp - v5 * s2_pp;
+    const wide v11 = c3 * c2_pm + v5 * s2_pm;
+    const wide v12 = c3 * c2_mm + v5 * s2_mm;
+    const wide s2m3_pp = v5 * c2_pp + c3 * s2_pp;
+    const wide s2m3_pm = v5 * c2_pm - c3 * s2_pm;
+    const wide s2m3_mm = v5 * c2_mm - c3 * s2_mm;
+    const wide v13 = T13 * c1_p - T23 * s1_p;
+    const wide v14 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v13;
+    const wide X4_pm = T33 * s2m3_pm + v11 * v13;
+    const wide X4_mp = T33 * -s2m3_pm + v11 * v14;
+    const wide X4_mm = T33 * s2m3_mm + v12 * v14;
+    const wide v15 = T23 * c1_p + T13 * s1_p;
+    const wide v16 = T23 * c1_m + T13 * s1_m;
+    const wide v17 = v15 * v15;
+    const wide v18 = v16 * v16;
+    const wide w4_pp = sqrt_wide(v17 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v17 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v18 + X4_mp * X4_mp);
+    const wide w4_mm = sqrt_wide(v18 + X4_mm * X4_mm);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v19 = X4_pp * factor4_pp;
+    const wide v20 = X4_pm * factor4_pm;
+    const wide v21 = X4_mp * factor4_mp;
+    const wide v22 = X4_mm * factor4_mm;
+    const wide v23 = v15 * factor4_pp;
+    const wide v24 = v15 * factor4_pm;
+    const wide v25 = v16 * factor4_mp;
+    const wide v26 = v16 * factor4_mm;
+    const wide q4_ppp = atan2_wide(-v23, -v19);
+    const wide q4_pmp = atan2_wide(-v24, -v20);
+    const wide q4_mpp = atan2_wide(-v25, -v21);
+    const wide q4_mmp = atan2_wide(-v26, -v22);
+    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v23) * h1;
+    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v24) * h1;
+    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v25) * h1;
+    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v26) * h1;
+
+    /* theta5 */
+    const wide q5__pp = atan2_wide(-w4_pp, -(T33 * c2m3_pp + s2m3_pp * v13));
+    const wide v27 = T33 * v11;
+    const wide q5__pm = atan2_wide(-w4_pm, v27 - s2m3_pm * v13);
+    const wide q5__mp = atan2_wide(-w4_mp, v27 - -s2m3_pm * v14);
+    const wide q5__mm = atan2_wide(-w4_mm, T33 * v12 - s2m3_mm * v14);
+
+    /* theta6 */
+    const wide v28 = c1_p * T22 + s1_p * T12;
+    const wide v29 = c1_m * T22 + s1_m * T12;
+    const wide v30 = c1_p * T12 - s1_p * T22;
+    const wide v31 = c1_m * T12 - s1_m * T22;
+    const wide v32 = c1_p * T21 + s1_p * T11;
+    const wide v33 = c1_m * T21 + s1_m * T11;
+    const wide v34 = c1_p * T11 - s1_p * T21;
+    const wide v35 = c1_m * T11 - s1_m * T21;
+
+    /* joint values */
+    const wide v36 = atan2_wide(s1_p, c1_p) - offset1;
+    const wide v37 = atan2_wide(s1_m, c1_m) - offset1;
+    const wide v38 = atan2_wide(s2_pp, c2_pp) - offset2;
+    const wide v39 = atan2_wide(s2_pm, c2_pm) - offset2;
+    const wide v40 = atan2_wide(s2_pm, -c2_pm) - offset2;
+    const wide v41 = atan2_wide(s2_mm, c2_mm) - offset2;
+    const wide q2__pp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2__pm = v39 + pick_wide(v39 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2__mp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2__mm = v41 + pick_wide(v41 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v42 = atan2_wide(-v5, c3);
+    const wide v43 = v42 - offset3;
+    const wide v44 = h1 * copysign_wide(all_wide(half_turn), -v5) - v42 - offset3;
+    const wide q3__p = v43 + pick_wide(v43 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3__m = v44 + pick_wide(v44 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v45 = atan2_wide(-(v19 * v32 + v23 * (c2m3_pp * v34 - s2m3_pp * T31)), v19 * v28 +
+        v23 * (c2m3_pp * v30 - s2m3_pp * T32));
+    const wide v46 = v24 * (v11 * v34 + s2m3_pm * T31) - v20 * v32;
+    const wide v47 = atan2_wide(v46, v20 * v28 - v24 * (v11 * v30 + s2m3_pm * T32));
+    const wide v48 = v25 * (v11 * v35 + -s2m3_pm * T31) - v21 * v33;
+    const wide v49 = atan2_wide(v48, v21 * v29 - v25 * (v11 * v31 + -s2m3_pm * T32));
+    const wide v50 = v26 * (v12 * v35 + s2m3_mm * T31) - v22 * v33;
+    const wide v51 = atan2_wide(v50, v22 * v29 - v26 * (v12 * v31 + s2m3_mm * T32));
+    const wide v52 = v45 - offset6;
+    const wide v53 = v45 - h1 * copysign_wide(all_wide(half_turn), -(v19 * v32 + v23 * (c2m3_pp *
+        v34 - s2m3_pp * T31))) - offset6;
+    const wide v54 = v47 - offset6;
+    const wide v55 = v47 - h1 * copysign_wide(all_wide(half_turn), v46) - offset6;
+    const wide v56 = v49 - offset6;
+    const wide v57 = v49 - h1 * copysign_wide(all_wide(half_turn), v48) - offset6;
+    const wide v58 = v51 - offset6;
+    const wide v59 = v51 - h1 * copysign_wide(all_wide(half_turn), v50) - offset6;
+    const wide q6_ppp = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0));
+    const wide q6_ppm = v53 - pick_wide(half_turn < v53, all_wide(m2), all_wide(0.0));
+    const wide q6_pmp = v54 - pick_wide(half_turn < v54, all_wide(m2), all_wide(0.0));
+    const wide q6_pmm = v55 - pick_wide(half_turn < v55, all_wide(m2), all_wide(0.0));
+    const wide q6_mpp = v56 - pick_wide(half_turn < v56, all_wide(m2), all_wide(0.0));
+    const wide q6_mpm = v57 - pick_wide(half_turn < v57, all_wide(m2), all_wide(0.0));
+    const wide q6_mmp = v58 - pick_wide(half_turn < v58, all_wide(m2), all_wide(0.0));
+    const wide q6_mmm = v59 - pick_wide(half_turn < v59, all_wide(m2), all_wide(0.0));
+    const wide v60 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v61 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v62 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v63 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v64 = (v60 < low2) | (high2 < v60);
+    const wide_mask v65 = (v61 < low2) | (high2 < v61);
+    const wide_mask v66 = (v62 < low2) | (high2 < v62);
+    const wide_mask v67 = (v63 < low2) | (high2 < v63);
+    const wide q2_ppp = pick_wide(v64, q2__pp, v60);
+    const wide q2_pmp = pick_wide(v65, q2__pm, v61);
+    const wide q2_mpp = pick_wide(v66, q2__mp, v62);
+    const wide q2_mmp = pick_wide(v67, q2__mm, v63);
+    const wide v68 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v69 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v70 = (v68 < low3) | (high3 < v68);
+    const wide_mask v71 = (v69 < low3) | (high3 < v69);
+    const wide q3_ppp = pick_wide(v70, q3__p, v68);
+    const wide q3_pmp = pick_wide(v71, q3__m, v69);
+    const wide v72 = q5__pp + pick_wide(q5__pp < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v73 = pick_wide(-q5__pp < low5, all_wide(whole_turn), all_wide(0.0)) - q5__pp;
+    const wide v74 = q5__pm + pick_wide(q5__pm < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v75 = pick_wide(-q5__pm < low5, all_wide(whole_turn), all_wide(0.0)) - q5__pm;
+    const wide v76 = q5__mp + pick_wide(q5__mp < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v77 = pick_wide(-q5__mp < low5, all_wide(whole_turn), all_wide(0.0)) - q5__mp;
+    const wide v78 = q5__mm + pick_wide(q5__mm < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v79 = pick_wide(-q5__mm < low5, all_wide(whole_turn), all_wide(0.0)) - q5__mm;
+    const wide_mask v80 = (v72 < low5) | (high5 < v72);
+    const wide_mask v81 = (v73 < low5) | (high5 < v73);
+    const wide_mask v82 = (v74 < low5) | (high5 < v74);
+    const wide_mask v83 = (v75 < low5) | (high5 < v75);
+    const wide_mask v84 = (v76 < low5) | (high5 < v76);
+    const wide_mask v85 = (v77 < low5) | (high5 < v77);
+    const wide_mask v86 = (v78 < low5) | (high5 < v78);
+    const wide_mask v87 = (v79 < low5) | (high5 < v79);
+    const wide q5_ppp = pick_wide(v80, q5__pp, v72);
+    const wide q5_ppm = pick_wide(v81, -q5__pp, v73);
+    const wide q5_pmp = pick_wide(v82, q5__pm, v74);
+    const wide q5_pmm = pick_wide(v83, -q5__pm, v75);
+    const wide q5_mpp = pick_wide(v84, q5__mp, v76);
+    const wide q5_mpm = pick_wide(v85, -q5__mp, v77);
+    const wide q5_mmp = pick_wide(v86, q5__mm, v78);
+    const wide q5_mmm = pick_wide(v87, -q5__mm, v79);
+    const wide v88 = w3 - w3;
+    const wide q1_ppp = v88 + (v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0)));
+    const wide q1_mpp = v88 + (v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0)));
+    const wide_mask v89 = v64 | v70;
+    const wide_mask v90 = v65 | v71;
+    const wide_mask v91 = v66 | v70;
+    const wide_mask v92 = v67 | v71;
+    const wide_mask outside_ppp = v80 | v89;
+    const wide_mask outside_ppm = v81 | v89;
+    const wide_mask outside_pmp = v82 | v90;
+    const wide_mask outside_pmm = v83 | v90;
+    const wide_mask outside_mpp = v84 | v91;
+    const wide_mask outside_mpm = v85 | v91;
+    const wide_mask outside_mmp = v86 | v92;
+    const wide_mask outside_mmm = v87 | v92;
+    const wide_mask v93 = w2_pm <= free_limit_squared2;
+    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | ((v93 |
+        (w4_mp <= free_limit)) | ((v93 | (w4_pm <= free_limit)) | (((((shortest3_reach <= N3) & (N3
+        <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free1 |
+        ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) | ((w2_pp <= free_limit_squared2) | (w4_pp <=
+        free_limit)))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppm;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmm;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpm;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_pmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_pmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmm;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14;
+    const double wy = d6 * T23 - T24;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k2;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = k1 * X1;
+    const double v2 = k1 * wy;
+    const double v3 = X1 * w1;
+    const four c1 = inverse1 * (v2 - e1 * v3);
+    const double v4 = wy * w1;
+    const four s1 = inverse1 * (v1 + e1 * v4);
+
+    /* theta3 */
+    const double Z1_3 = d1 + (d6 * T33 - T34);
+    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v5 = k7 * (k5 * (N3 - k6));
+    const double c3 = k7 * (k5 * w3);
+
+    /* theta2 */
+    const double X1_2 = a2 + d4 * v5;
+    const double X2_2 = d4 * c3;
+    const double v6 = Z1_3 * X1_2;
+    const double v7 = w1 * X2_2;
+    const four S2 = v6 + v7 * (e1 * e2);
+    const double v8 = w1 * X1_2;
+    const double v9 = Z1_3 * X2_2;
+    const four v10 = e1 * v8;
+    const four v11 = e2 * v9;
+    const four C2 = v10 - v11;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four s2 = S2 * factor2;
+
+    /* theta4 */
+    const four c2m3 = e2 * (c3 * c2) - v5 * s2;
+    const four s2m3 = v5 * c2 + e2 * (c3 * s2);
+    const four v12 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v12;
+    const four v13 = T23 * c1 + T13 * s1;
+    const four v14 = v13 * v13;
+    const four w4 = sqrt_four(v14 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v15 = X4 * factor4;
+    const four v16 = v13 * factor4;
+    const four q4_p = atan2_four(-v16, -v15);
+    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v16) * h1;
+
+    /* theta5 */
+    const four q5_ = atan2_four(-w4, -(T33 * c2m3 + s2m3 * v12));
+
+    /* theta6 */
+    const four v17 = c1 * T22 + s1 * T12;
+    const four v18 = c1 * T12 - s1 * T22;
+    const four v19 = c1 * T21 + s1 * T11;
+    const four v20 = c1 * T11 - s1 * T21;
+
+    /* joint values */
+    const four v21 = atan2_four(s1, c1) - offset1;
+    const four v22 = atan2_four(s2, c2) - offset2;
+    const four q2_ = v22 + pick_four(v22 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v23 = atan2_four(all_four(-v5), all_four(c3));
+    const double v24 = copysign(half_turn, -v5);
+    const four v25 = e2 * v23 + v24 * (m1 * (1.0 - e2)) - offset3;
+    const four q3_ = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v26 = atan2_four(-(v15 * v19 + v16 * (c2m3 * v20 - s2m3 * T31)), v15 * v17 + v16 *
+        (c2m3 * v18 - s2m3 * T32));
+    const four v27 = v26 - offset6;
+    const four v28 = v26 - h1 * copysign_four(all_four(half_turn), -(v15 * v19 + v16 * (c2m3 * v20 -
+        s2m3 * T31))) - offset6;
+    const four q6_p = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0));
+    const four q6_m = v28 - pick_four(half_turn < v28, all_four(m2), all_four(0.0));
+    const four v29 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
+    const four_mask v30 = (v29 < low2) | (high2 < v29);
+    const four q2_p = pick_four(v30, q2_, v29);
+    const four v31 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
+    const four_mask v32 = (v31 < low3) | (high3 < v31);
+    const four q3_p = pick_four(v32, q3_, v31);
+    const four v33 = q5_ + pick_four(q5_ < low5, all_four(whole_turn), all_four(0.0));
+    const four v34 = pick_four(-q5_ < low5, all_four(whole_turn), all_four(0.0)) - q5_;
+    const four_mask v35 = (v33 < low5) | (high5 < v33);
+    const four_mask v36 = (v34 < low5) | (high5 < v34);
+    const four q5_p = pick_four(v35, q5_, v33);
+    const four q5_m = pick_four(v36, -q5_, v34);
+    const double v37 = w3 - w3;
+    const four q1_p = v37 + (v21 + pick_four(v21 <= -half_turn, all_four(m2), all_four(0.0)));
+    const four_mask v38 = v30 | v32;
+    const four_mask outside_p = v35 | v38;
+    const four_mask outside_m = v36 | v38;
+    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
+        (w4 <= free_limit));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -390,8 +1158,13 @@ int kinova_j2s6s300_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? KINOVA_J2S6S300_UNREACHABLE : KINOVA_J2S6S300_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -445,6 +1218,16 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
 
 void kinova_j2s6s300_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)kinova_j2s6s300_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)kinova_j2s6s300_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

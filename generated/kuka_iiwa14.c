@@ -47,8 +47,8 @@ static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
 static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
 static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
 static const double high7 = 3.054326191990077; /* highest value of joint 7 */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const kuka_iiwa14_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -271,9 +271,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef KUKA_IIWA14_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -704,23 +704,23 @@ HELPER wide_mask solve_wide(
     const wide v105 = atan2_wide(s1_pm, c1_pm) - offset1;
     const wide v106 = atan2_wide(s1_mp, -c1_pm) - offset1;
     const wide v107 = atan2_wide(-s1_pp, c1_mm) - offset1;
-    const wide q1_ppp = v104 + pick_wide(v104 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q1_pmp = v105 + pick_wide(v105 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q1_mpp = v106 + pick_wide(v106 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q1_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1_ppp = v104 + pick_wide(v104 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q1_pmp = v105 + pick_wide(v105 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q1_mpp = v106 + pick_wide(v106 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q1_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v108 = atan2_wide(s2_pp, -v20) - offset2;
     const wide v109 = atan2_wide(-s2_mp, -v21) - offset2;
     const wide v110 = atan2_wide(s2_mp, -v21) - offset2;
     const wide v111 = atan2_wide(s2_mm, -v22) - offset2;
-    const wide q2_ppp = v108 + pick_wide(v108 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_pmp = v109 + pick_wide(v109 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_mpp = v110 + pick_wide(v110 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q2_mmp = v111 + pick_wide(v111 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q2_ppp = v108 + pick_wide(v108 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v109 + pick_wide(v109 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v110 + pick_wide(v110 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v111 + pick_wide(v111 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v112 = atan2_wide(-v4, -v3);
     const wide v113 = v112 - offset4;
     const wide v114 = offset4 + v112;
-    const wide q4__p = v113 + pick_wide(v113 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4__m = pick_wide(-v114 <= -half_turn, all_wide(g2), all_wide(0.0)) - v114;
+    const wide q4__p = v113 + pick_wide(v113 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4__m = pick_wide(-v114 <= -half_turn, all_wide(m2), all_wide(0.0)) - v114;
     const wide v115 = s1_pp * v60;
     const wide v116 = s1_pp * v57;
     const wide v117 = atan2_wide(w5_pp, v4 * v38 - (s2_pp * (c1_pp * v59 + v115 - v61) + v20 * (v58
@@ -741,14 +741,14 @@ HELPER wide_mask solve_wide(
     const wide v128 = offset6 + v121;
     const wide v129 = v122 - offset6;
     const wide v130 = offset6 + v122;
-    const wide q6_ppp = v123 + pick_wide(v123 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q6_ppm = pick_wide(-v124 <= -half_turn, all_wide(g2), all_wide(0.0)) - v124;
-    const wide q6_pmp = v125 + pick_wide(v125 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q6_pmm = pick_wide(-v126 <= -half_turn, all_wide(g2), all_wide(0.0)) - v126;
-    const wide q6_mpp = v127 + pick_wide(v127 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q6_mpm = pick_wide(-v128 <= -half_turn, all_wide(g2), all_wide(0.0)) - v128;
-    const wide q6_mmp = v129 + pick_wide(v129 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q6_mmm = pick_wide(-v130 <= -half_turn, all_wide(g2), all_wide(0.0)) - v130;
+    const wide q6_ppp = v123 + pick_wide(v123 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q6_ppm = pick_wide(-v124 <= -half_turn, all_wide(m2), all_wide(0.0)) - v124;
+    const wide q6_pmp = v125 + pick_wide(v125 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q6_pmm = pick_wide(-v126 <= -half_turn, all_wide(m2), all_wide(0.0)) - v126;
+    const wide q6_mpp = v127 + pick_wide(v127 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q6_mpm = pick_wide(-v128 <= -half_turn, all_wide(m2), all_wide(0.0)) - v128;
+    const wide q6_mmp = v129 + pick_wide(v129 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q6_mmm = pick_wide(-v130 <= -half_turn, all_wide(m2), all_wide(0.0)) - v130;
     const wide_mask v131 = (free_joints[0] < low3) | (high3 < free_joints[0]);
     const wide_mask v132 = (q4__p < low4) | (high4 < q4__p);
     const wide_mask v133 = (q4__m < low4) | (high4 < q4__m);
@@ -872,12 +872,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -1043,18 +1043,18 @@ HELPER int solve_regular(
 
     /* joint values */
     const four v62 = atan2_four(s1, c1) - offset1;
-    const four q1_p = v62 + pick_four(v62 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q1_p = v62 + pick_four(v62 <= -half_turn, all_four(m2), all_four(0.0));
     const four v63 = atan2_four(s2, -v22) - offset2;
-    const four q2_p = v63 + pick_four(v63 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q2_p = v63 + pick_four(v63 <= -half_turn, all_four(m2), all_four(0.0));
     const four v64 = atan2_four(all_four(-v4), all_four(-v3));
     const four v65 = e1 * v64 - offset4;
-    const four q4_ = v65 + pick_four(v65 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q4_ = v65 + pick_four(v65 <= -half_turn, all_four(m2), all_four(0.0));
     const four v66 = atan2_four(w5, e1 * (v4 * v33) - (s2 * (c1 * v40 + s1 * v41 - v43) + v22 * (v39
         + e1 * (c1 * v37 + s1 * v38))));
     const four v67 = v66 - offset6;
     const four v68 = offset6 + v66;
-    const four q6_p = v67 + pick_four(v67 <= -half_turn, all_four(g2), all_four(0.0));
-    const four q6_m = pick_four(-v68 <= -half_turn, all_four(g2), all_four(0.0)) - v68;
+    const four q6_p = v67 + pick_four(v67 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q6_m = pick_four(-v68 <= -half_turn, all_four(m2), all_four(0.0)) - v68;
     const int v69 = (free_joints[0] < low3) | (high3 < free_joints[0]);
     const four_mask v70 = (q4_ < low4) | (high4 < q4_);
     const double v71 = w1 - w1;

@@ -35,8 +35,8 @@ static const double k2 = 0.135; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 3.815416; /* a2^2 + (d4^2 + a3^2) [m^2] */
 static const double k4 = 0.07101907039587806; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const kuka_kr210_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -228,9 +228,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef KUKA_KR210_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -567,10 +567,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v52 = atan2_wide(s2_pm, -v28) - offset2;
     const wide v53 = atan2_wide(s2_mp, c2_mp) - offset2;
     const wide v54 = atan2_wide(s2_mm, -v29) - offset2;
-    const wide q2_ppp = v51 - pick_wide(half_turn < v51, all_wide(g2), all_wide(0.0));
-    const wide q2_pmp = v52 - pick_wide(half_turn < v52, all_wide(g2), all_wide(0.0));
-    const wide q2_mpp = v53 - pick_wide(half_turn < v53, all_wide(g2), all_wide(0.0));
-    const wide q2_mmp = v54 - pick_wide(half_turn < v54, all_wide(g2), all_wide(0.0));
+    const wide q2_ppp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v53 - pick_wide(half_turn < v53, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v54 - pick_wide(half_turn < v54, all_wide(m2), all_wide(0.0));
     const wide q1_ppp = v2 + (w3_p - w3_p);
     const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
     const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
@@ -657,12 +657,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -704,7 +704,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -779,8 +779,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v22 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(g2), all_four(0.0));
-    const four q1_p = v2 + v3 * (g1 * (e1 - 1.0)) + (w3 - w3);
+    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
+    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
     const four_mask v23 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v23;

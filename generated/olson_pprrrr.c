@@ -17,6 +17,9 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double free_limit_squared2 = 4.9e-23;
 static const double reach_slack1 = 7e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 7e-14; /* nearer to that boundary two branches are one [m] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const olson_pprrrr_branches[4] = {
     "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
@@ -151,6 +154,558 @@ static int read_pose(const double given[16], double T[16])
     }
     return 1;
 }
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef OLSON_PPRRRR_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DOLSON_PPRRRR_SCALAR. With -DOLSON_PPRRRR_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(OLSON_PPRRRR_SCALAR) && !defined(OLSON_PPRRRR_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef OLSON_PPRRRR_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & OLSON_PPRRRR_UNREACHABLE) | (~(none) & (outside) & OLSON_PPRRRR_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)OLSON_PPRRRR_UNREACHABLE : (outside) ? (int)OLSON_PPRRRR_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta3 */
+    const wide w3 = sqrt_wide(T23 * T23 + T13 * T13);
+    const wide factor3 = 1.0 / w3;
+    const wide c3 = T23 * factor3;
+    const wide v1 = T13 * factor3;
+    const wide v2 = atan2_wide(-v1, c3);
+
+    /* theta45 */
+    const wide theta45 = atan2_wide(-w3, -T33);
+
+    /* theta6 */
+    const wide Z1_6 = c3 * T12 - v1 * T22;
+    const wide Z2_6 = c3 * T11 - v1 * T21;
+    const wide v3 = atan2_wide(-Z2_6, -Z1_6);
+
+    /* theta5 */
+    const wide X5 = a4 * T33;
+    const wide Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
+    const wide v4 = d6 * T33 + (d3 - T34);
+    const wide N5 = X5 * X5 + Y5 * Y5;
+    const wide D5 = N5 - v4 * v4;
+    const wide_mask free5 = N5 <= free_limit_squared2;
+    const wide v5 = 2.0 * abs_wide(v4);
+    const wide w5 = sqrt_wide(D5);
+    const wide inverse5 = 1.0 / N5;
+    const wide v6 = X5 * v4;
+    const wide v7 = Y5 * v4;
+    const wide v8 = X5 * w5;
+    const wide v9 = inverse5 * (v7 + v8);
+    const wide v10 = v7 - v8;
+    const wide v11 = inverse5 * v10;
+    const wide v12 = inverse5 * -v10;
+    const wide v13 = Y5 * w5;
+    const wide s5_pp = inverse5 * (v13 - v6);
+    const wide v14 = inverse5 * (v6 + v13);
+    const wide q5_pp = atan2_wide(s5_pp, -v9);
+    const wide q5_pm = atan2_wide(-v14, -v11);
+    const wide q5_mp = atan2_wide(-v14, -v12);
+    const wide q5_mm = atan2_wide(s5_pp, v9);
+
+    /* r2 */
+    const wide wx = T14 - d6 * T13;
+    const wide v15 = w3 * s5_pp - T33 * v9;
+    const wide v16 = w3 * v14;
+    const wide v17 = v16 + T33 * v11;
+    const wide v18 = v16 - T33 * v12;
+    const wide v19 = a4 * v1;
+    const wide q2_pp = wx - v15 * v19;
+    const wide q2_pm = wx + v17 * v19;
+    const wide q2_mp = wx + v18 * v19;
+    const wide q2_mm = wx + -v15 * v19;
+
+    /* r1 */
+    const wide wy = T24 - d6 * T23;
+    const wide v20 = a4 * c3;
+    const wide q1_pp = wy - v15 * v20;
+    const wide q1_pm = wy + v17 * v20;
+    const wide q1_mp = wy + v18 * v20;
+    const wide q1_mm = wy + -v15 * v20;
+
+    /* joint values */
+    const wide v21 = theta45 - q5_pp;
+    const wide v22 = theta45 - q5_pm;
+    const wide v23 = theta45 + q5_mp;
+    const wide v24 = theta45 + q5_mm;
+    const wide q4_pp = v21 - pick_wide(half_turn < v21, all_wide(m2), all_wide(0.0)) + pick_wide(v21
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pm = v22 - pick_wide(half_turn < v22, all_wide(m2), all_wide(0.0)) + pick_wide(v22
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mp = pick_wide(-v23 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v23 +
+        pick_wide(half_turn < -v23, all_wide(m2), all_wide(0.0)));
+    const wide q4_mm = pick_wide(-v24 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v24 +
+        pick_wide(half_turn < -v24, all_wide(m2), all_wide(0.0)));
+    const wide v25 = w5 - w5;
+    const wide q3_pp = v2 + v25;
+    const wide q3_mp = v25 + (v2 - copysign_wide(all_wide(half_turn), -v1) * h1);
+    const wide q6_pp = v3 + v25;
+    const wide q6_mp = v25 + (v3 - h1 * copysign_wide(all_wide(half_turn), -Z2_6));
+    const wide_mask doubt = ((-(reach_slack1 * (reach_slack1 + v5)) <= D5) & (free5 | ((merge_slack1
+        * (merge_slack1 + v5) < D5) == 0))) | (free5 | (w3 <= free_limit));
+
+    q[0] = q1_pp;
+    q[1] = q2_pp;
+    q[2] = q3_pp;
+    q[3] = q4_pp;
+    q[4] = q5_pp;
+    q[5] = q6_pp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_pm;
+    q[7] = q2_pm;
+    q[8] = q3_pp;
+    q[9] = q4_pm;
+    q[10] = q5_pm;
+    q[11] = q6_pp;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_mp;
+    q[13] = q2_mp;
+    q[14] = q3_mp;
+    q[15] = q4_mp;
+    q[16] = q5_mp;
+    q[17] = q6_mp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_mm;
+    q[19] = q2_mm;
+    q[20] = q3_mp;
+    q[21] = q4_mm;
+    q[22] = q5_mm;
+    q[23] = q6_mp;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta3 */
+    const double w3 = sqrt(T23 * T23 + T13 * T13);
+    const double factor3 = 1.0 / w3;
+    const double c3 = T23 * factor3;
+    const double v1 = T13 * factor3;
+    const four v2 = atan2_four(all_four(-v1), all_four(c3));
+    const double v3 = copysign(half_turn, -v1);
+    const four v4 = m1 * (e1 - 1.0);
+
+    /* theta45 */
+    const four theta45 = atan2_four(all_four(-w3), all_four(-T33));
+
+    /* theta6 */
+    const double Z1_6 = c3 * T12 - v1 * T22;
+    const double Z2_6 = c3 * T11 - v1 * T21;
+    const four v5 = atan2_four(all_four(-Z2_6), all_four(-Z1_6));
+    const double v6 = copysign(half_turn, -Z2_6);
+
+    /* theta5 */
+    const double X5 = a4 * T33;
+    const double Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
+    const double v7 = d6 * T33 + (d3 - T34);
+    const double N5 = X5 * X5 + Y5 * Y5;
+    const double D5 = N5 - v7 * v7;
+    const int free5 = N5 <= free_limit_squared2;
+    const double v8 = 2.0 * fabs(v7);
+    const double w5 = sqrt(D5);
+    const double inverse5 = 1.0 / N5;
+    const double v9 = X5 * v7;
+    const double v10 = Y5 * v7;
+    const double v11 = X5 * w5;
+    const four v12 = e1 * v10;
+    const four v13 = e2 * v11;
+    const four v14 = inverse5 * (v12 + v13);
+    const double v15 = Y5 * w5;
+    const four s5 = inverse5 * (v15 * (e1 * e2) - v9);
+    const four q5 = atan2_four(s5, -v14);
+
+    /* r2 */
+    const double wx = T14 - d6 * T13;
+    const four v16 = e1 * (w3 * s5) - T33 * v14;
+    const double v17 = a4 * v1;
+    const four q2 = wx - e1 * (v16 * v17);
+
+    /* r1 */
+    const double wy = T24 - d6 * T23;
+    const double v18 = a4 * c3;
+    const four q1 = wy - e1 * (v16 * v18);
+
+    /* joint values */
+    const four v19 = e1 * theta45;
+    const four v20 = v19 - q5;
+    const four q4 = v20 - pick_four(half_turn < v20, all_four(m2), all_four(0.0)) + pick_four(v20 <=
+        -half_turn, all_four(m2), all_four(0.0));
+    const double v21 = w5 - w5;
+    const four q3 = v21 + (v2 + v3 * v4);
+    const four q6 = v21 + (v5 + v4 * v6);
+    const int doubt = ((-(reach_slack1 * (reach_slack1 + v8)) <= D5) & (free5 | ((merge_slack1 *
+        (merge_slack1 + v8) < D5) == 0))) | (free5 | (w3 <= free_limit));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (doubt)
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
+    store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    status[2] = (unsigned char)kind1[2];
+    status[3] = (unsigned char)kind1[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[24], x[LANES];
+    wide_mask kind[4];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (24 >= LANES) {
+        for (int i = 0; i < 24; i += LANES) {
+            const int from = i + LANES <= 24 ? i : 24 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 24 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 24; i++)
+            for (int k = 0; k < LANES; k++)
+                q[24 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 4; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 4 - row < 8 ? 4 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
+{
+    wide_mask kind[4];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 4; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
 
@@ -354,8 +909,13 @@ int olson_pprrrr_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? OLSON_PPRRRR_UNREACHABLE : OLSON_PPRRRR_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -416,6 +976,16 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 24 * k, status + 4 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)olson_pprrrr_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 24 * i), status + 4 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)olson_pprrrr_ik(T + 16 * k, NULL, (double (*)[6])(q + 24 * k), status + 4 * k);
 }

@@ -14,8 +14,8 @@ static const double offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low2 = -1e-09; /* lowest value of joint 2 */
 static const double high2 = 1.000000001; /* highest value of joint 2 */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const planar_rp_branches[2] = {
     "forward", "backward",
@@ -81,9 +81,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef PLANAR_RP_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -273,8 +273,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide v1 = atan2_wide(s1, -(T24 * factor1));
     const wide v2 = v1 - offset1;
     const wide v3 = v1 - copysign_wide(all_wide(half_turn), s1) * h1 - offset1;
-    const wide q1_p = v2 + pick_wide(v2 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q1_m = v3 + pick_wide(v3 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q1_p = v2 + pick_wide(v2 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q1_m = v3 + pick_wide(v3 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide_mask outside_p = (q2_p < low2) | (high2 < q2_p);
     const wide_mask outside_m = (-q2_p < low2) | (high2 < -q2_p);
 
@@ -305,12 +305,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -341,7 +341,7 @@ HELPER double irregularity_double(const double T[16])
     return 0.0 * (T[3] + T[7]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][2], unsigned char status[2])
@@ -359,8 +359,8 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     /* joint values */
     const four v1 = atan2_four(all_four(s1), all_four(-(T24 * factor1)));
     const double v2 = copysign(half_turn, s1);
-    const four v3 = v1 + v2 * (g1 * (e1 - 1.0)) - offset1;
-    const four q1 = v3 + pick_four(v3 <= -half_turn, all_four(g2), all_four(0.0));
+    const four v3 = v1 + v2 * (m1 * (e1 - 1.0)) - offset1;
+    const four q1 = v3 + pick_four(v3 <= -half_turn, all_four(m2), all_four(0.0));
     const four q2 = e1 * w2;
     const four_mask outside = (q2 < low2) | (high2 < q2);
 

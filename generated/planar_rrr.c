@@ -29,6 +29,8 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 8.5e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m1 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const planar_rrr_branches[2] = {
     "down", "up",
@@ -139,6 +141,524 @@ static int read_pose(const double given[16], double T[16])
     }
     return 1;
 }
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PLANAR_RRR_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPLANAR_RRR_SCALAR. With -DPLANAR_RRR_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PLANAR_RRR_SCALAR) && !defined(PLANAR_RRR_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef PLANAR_RRR_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PLANAR_RRR_UNREACHABLE) | (~(none) & (outside) & PLANAR_RRR_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PLANAR_RRR_UNREACHABLE : (outside) ? (int)PLANAR_RRR_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta123 */
+    const wide w123 = sqrt_wide(T21 * T21 + T11 * T11);
+    const wide_mask free123 = w123 <= free_limit_squared;
+    const wide v1 = 1.0 / w123;
+    const wide c123 = T11 * v1;
+    const wide s123 = T21 * v1;
+    const wide theta123 = atan2_wide(s123, c123);
+
+    /* theta2 */
+    const wide v2 = a3 * c123;
+    const wide Z1_2 = T14 - v2;
+    const wide v3 = a3 * s123;
+    const wide Z2_2 = T24 - v3;
+    const wide N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
+    const wide s2 = k2 * sqrt_wide((longest2 - N2) * (N2 - shortest2));
+    const wide c2 = k2 * (N2 - k1);
+    const wide q2_ = atan2_wide(s2, c2);
+
+    /* theta1 */
+    const wide X1_1 = a1 + a2 * c2;
+    const wide Y1_1 = a2 * s2;
+    const wide v4 = Z2_2 * X1_1;
+    const wide v5 = Z1_2 * Y1_1;
+    const wide S1_p = v4 - v5;
+    const wide S1_m = v4 + v5;
+    const wide v6 = Z1_2 * X1_1;
+    const wide v7 = Z2_2 * Y1_1;
+    const wide C1_p = v6 + v7;
+    const wide C1_m = v6 - v7;
+    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
+    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
+    const wide_mask free1_p = w1_p <= free_limit_squared2;
+    const wide_mask free1_m = w1_m <= free_limit_squared2;
+    const wide factor1_p = 1.0 / w1_p;
+    const wide factor1_m = 1.0 / w1_m;
+    const wide c1_p = C1_p * factor1_p;
+    const wide c1_m = C1_m * factor1_m;
+    const wide s1_p = S1_p * factor1_p;
+    const wide s1_m = S1_m * factor1_m;
+    const wide q1__p = atan2_wide(s1_p, c1_p);
+    const wide q1__m = atan2_wide(s1_m, c1_m);
+
+    /* is the pose one that the arm can take? */
+    const wide v8 = sqrt_wide(pick_wide((abs_wide(T34) <= pose_slack1) & ((abs_wide(T33 - 1.0) <=
+        pose_slack) & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
+        ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c123) <= pose_slack) & ((abs_wide(T21 -
+        s123) <= pose_slack) & ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c123) <=
+        pose_slack) & (abs_wide(s123 + T12) <= pose_slack))))))))), all_wide(0.0), all_wide(-1.0)));
+    const wide v9 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + (v2 + a1 *
+        c1_p))) <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + (v3 + a1 * s1_p)))
+        <= pose_slack1), all_wide(0.0), all_wide(-1.0)));
+    const wide v10 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + (v2 + a1 *
+        c1_m))) <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + (v3 + a1 * s1_m)))
+        <= pose_slack1), all_wide(0.0), all_wide(-1.0)));
+
+    /* joint values */
+    const wide v11 = theta123 - (q2_ + q1__p);
+    const wide v12 = theta123 - (q1__m - q2_);
+    const wide v13 = v8 - v8;
+    const wide v14 = v9 - v9;
+    const wide v15 = v10 - v10;
+    const wide q1_p = v14 + (q1__p + v13);
+    const wide q1_m = v15 + (q1__m + v13);
+    const wide q2_p = v14 + (q2_ + v13);
+    const wide q2_m = v15 + (v13 - q2_);
+    const wide q3_p = v14 + (v13 + (v11 - pick_wide(half_turn < v11, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v11 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide q3_m = v15 + (v13 + (v12 - pick_wide(half_turn < v12, all_wide(m1), all_wide(0.0)) +
+        pick_wide(v12 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide_mask doubt = (free1_m | (free123 | free1_m)) | ((free123 | (((shortest2_reach <= N2)
+        & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
+        (free1_p | (free123 | free1_p)));
+
+    q[0] = q1_p;
+    q[1] = q2_p;
+    q[2] = q3_p;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = q1_m;
+    q[4] = q2_m;
+    q[5] = q3_m;
+    kind[1] = kind_of(q[3] != q[3], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
+{
+    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta123 */
+    const double w123 = sqrt(T21 * T21 + T11 * T11);
+    const int free123 = w123 <= free_limit_squared;
+    const double v1 = 1.0 / w123;
+    const double c123 = T11 * v1;
+    const double s123 = T21 * v1;
+    const four theta123 = atan2_four(all_four(s123), all_four(c123));
+
+    /* theta2 */
+    const double v2 = a3 * c123;
+    const double Z1_2 = T14 - v2;
+    const double v3 = a3 * s123;
+    const double Z2_2 = T24 - v3;
+    const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
+    const double s2 = k2 * sqrt((longest2 - N2) * (N2 - shortest2));
+    const double c2 = k2 * (N2 - k1);
+    const four q2_ = atan2_four(all_four(s2), all_four(c2));
+
+    /* theta1 */
+    const double X1_1 = a1 + a2 * c2;
+    const double Y1_1 = a2 * s2;
+    const double v4 = Z2_2 * X1_1;
+    const double v5 = Z1_2 * Y1_1;
+    const four S1 = v4 - e1 * v5;
+    const double v6 = Z1_2 * X1_1;
+    const double v7 = Z2_2 * Y1_1;
+    const four C1 = v6 + e1 * v7;
+    const four w1 = sqrt_four(S1 * S1 + C1 * C1);
+    const four_mask free1 = w1 <= free_limit_squared2;
+    const four factor1 = 1.0 / w1;
+    const four c1 = C1 * factor1;
+    const four s1 = S1 * factor1;
+    const four q1_ = atan2_four(s1, c1);
+
+    /* is the pose one that the arm can take? */
+    const double v8 = sqrt(((fabs(T34) <= pose_slack1) & ((fabs(T33 - 1.0) <= pose_slack) &
+        ((fabs(T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <= pose_slack) &
+        ((fabs(T22 - c123) <= pose_slack) & ((fabs(T21 - s123) <= pose_slack) & ((fabs(T13) <=
+        pose_slack) & ((fabs(T11 - c123) <= pose_slack) & (fabs(s123 + T12) <= pose_slack))))))))))
+        ? 0.0 : (-1.0));
+    const four v9 = sqrt_four(pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + (v2 + a1
+        * c1))) <= pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + (v3 + a1 *
+        s1))) <= pose_slack1), all_four(0.0), all_four(-1.0)));
+
+    /* joint values */
+    const four v10 = e1 * q2_;
+    const four v11 = theta123 - (q1_ + v10);
+    const double v12 = v8 - v8;
+    const four v13 = v9 - v9;
+    const four q1 = v13 + (q1_ + v12);
+    const four q2 = v13 + (v10 + v12);
+    const four q3 = v13 + (v12 + (v11 - pick_four(half_turn < v11, all_four(m1), all_four(0.0)) +
+        pick_four(v11 <= -half_turn, all_four(m1), all_four(0.0))));
+    const int doubt1 = free123 | (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free1 | ((all_four(free123 ? 1.0
+        : 0.0) > 0.0) | free1));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
+    store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[6], x[LANES];
+    wide_mask kind[2];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (6 >= LANES) {
+        for (int i = 0; i < 6; i += LANES) {
+            const int from = i + LANES <= 6 ? i : 6 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 6 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < LANES; k++)
+                q[6 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 2; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 2 - row < 8 ? 2 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
+{
+    wide_mask kind[2];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 2; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
 
@@ -333,8 +853,13 @@ int planar_rrr_ik(
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 2; row++) {
         status[row] = valid ? PLANAR_RRR_UNREACHABLE : PLANAR_RRR_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -395,6 +920,15 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
 
 void planar_rrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 6 * k, status + 2 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)planar_rrr_ik(T + 16 * i, NULL, (double (*)[3])(q + 6 * i), status + 2 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)planar_rrr_ik(T + 16 * k, NULL, (double (*)[3])(q + 6 * k), status + 2 * k);
 }

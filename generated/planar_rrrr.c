@@ -375,8 +375,8 @@ int planar_rrrr_ik(
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    const int valid = read_pose(T, pose);
     for (int row = 0; row < 1; row++) {
         status[row] = valid ? PLANAR_RRRR_UNREACHABLE : PLANAR_RRRR_INVALID_POSE;
         for (int i = 0; i < 4; i++)
@@ -430,6 +430,7 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
 
 void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+    for (; k < n; k++)
         (void)planar_rrrr_ik(T + 16 * k, NULL, (double (*)[4])(q + 4 * k), status + 1 * k);
 }

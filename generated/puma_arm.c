@@ -109,6 +109,496 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PUMA_ARM_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPUMA_ARM_SCALAR. With -DPUMA_ARM_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PUMA_ARM_SCALAR) && !defined(PUMA_ARM_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef PUMA_ARM_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    return 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PUMA_ARM_UNREACHABLE) | (~(none) & (outside) & PUMA_ARM_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PUMA_ARM_UNREACHABLE : (outside) ? (int)PUMA_ARM_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
+{
+    const wide T14 = T[3];
+    const wide T24 = T[7];
+    const wide T34 = T[11];
+
+    /* theta1 */
+    const wide N1 = T14 * T14 + T24 * T24;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = d3 * T14;
+    const wide v2 = d3 * T24;
+    const wide v3 = T14 * w1;
+    const wide v4 = T24 * w1;
+
+    /* theta3 */
+    const wide Z1_3 = T34 - d1;
+    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide K3 = N3 - k6;
+    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide v5 = k4 * K3;
+    const wide v6 = k5 * w3;
+    const wide s3_p = k7 * (v6 - v5);
+    const wide v7 = k7 * (v5 + v6);
+    const wide v8 = k5 * K3;
+    const wide v9 = k4 * w3;
+    const wide c3_p = k7 * (v8 + v9);
+    const wide c3_m = k7 * (v8 - v9);
+    const wide q3_pp = atan2_wide(s3_p, c3_p);
+    const wide q3_pm = atan2_wide(-v7, c3_m);
+
+    /* theta2 */
+    const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
+    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v7);
+    const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
+    const wide Y1_2_m = d4 * c3_m - a3 * v7;
+    const wide v10 = Z1_3 * X1_2_p;
+    const wide v11 = Z1_3 * X1_2_m;
+    const wide v12 = w1 * Y1_2_p;
+    const wide v13 = w1 * Y1_2_m;
+    const wide S2_pp = v10 - v12;
+    const wide S2_pm = v11 - v13;
+    const wide S2_mp = v10 + v12;
+    const wide S2_mm = v11 + v13;
+    const wide v14 = w1 * X1_2_p;
+    const wide v15 = w1 * X1_2_m;
+    const wide v16 = Z1_3 * Y1_2_p;
+    const wide v17 = Z1_3 * Y1_2_m;
+    const wide C2_pp = v14 + v16;
+    const wide C2_pm = v15 + v17;
+    const wide C2_mp = v16 - v14;
+    const wide C2_mm = v17 - v15;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
+    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
+    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
+    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + C2_mm * C2_mm);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide q2_pp = atan2_wide(S2_pp * factor2_pp, C2_pp * factor2_pp);
+    const wide q2_pm = atan2_wide(S2_pm * factor2_pm, C2_pm * factor2_pm);
+    const wide q2_mp = atan2_wide(S2_mp * factor2_mp, C2_mp * factor2_mp);
+    const wide q2_mm = atan2_wide(S2_mm * factor2_mm, C2_mm * factor2_mm);
+
+    /* joint values */
+    const wide v18 = w3 - w3;
+    const wide q1_pp = v18 + atan2_wide(inverse1 * (v1 + v4), inverse1 * (v3 - v2));
+    const wide q1_mp = v18 + atan2_wide(inverse1 * (v1 - v4), -(inverse1 * (v2 + v3)));
+    const wide_mask doubt = (w2_mm <= free_limit_squared2) | ((w2_mp <= free_limit_squared2) |
+        ((w2_pm <= free_limit_squared2) | ((w2_pp <= free_limit_squared2) | ((((shortest3_reach <=
+        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) |
+        (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))))))));
+
+    q[0] = q1_pp;
+    q[1] = q2_pp;
+    q[2] = q3_pp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = q1_pp;
+    q[4] = q2_pm;
+    q[5] = q3_pm;
+    kind[1] = kind_of(q[3] != q[3], 0);
+    q[6] = q1_mp;
+    q[7] = q2_mp;
+    q[8] = q3_pp;
+    kind[2] = kind_of(q[6] != q[6], 0);
+    q[9] = q1_mp;
+    q[10] = q2_mm;
+    q[11] = q3_pm;
+    kind[3] = kind_of(q[9] != q[9], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    return 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T14 = T[3];
+    const double T24 = T[7];
+    const double T34 = T[11];
+
+    /* theta1 */
+    const double N1 = T14 * T14 + T24 * T24;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = d3 * T14;
+    const double v2 = d3 * T24;
+    const double v3 = T14 * w1;
+    const double v4 = T24 * w1;
+
+    /* theta3 */
+    const double Z1_3 = T34 - d1;
+    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double K3 = N3 - k6;
+    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v5 = k4 * K3;
+    const double v6 = k5 * w3;
+    const four s3 = k7 * (e2 * v6 - v5);
+    const double v7 = k5 * K3;
+    const double v8 = k4 * w3;
+    const four c3 = k7 * (v7 + e2 * v8);
+    const four q3 = atan2_four(s3, c3);
+
+    /* theta2 */
+    const four X1_2 = a2 + (a3 * c3 - d4 * s3);
+    const four Y1_2 = d4 * c3 + a3 * s3;
+    const four v9 = Z1_3 * X1_2;
+    const four v10 = w1 * Y1_2;
+    const four S2 = v9 - e1 * v10;
+    const four v11 = w1 * X1_2;
+    const four v12 = Z1_3 * Y1_2;
+    const four C2 = v12 + e1 * v11;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four q2 = atan2_four(S2 * factor2, C2 * factor2);
+
+    /* joint values */
+    const double v13 = w3 - w3;
+    const four q1 = v13 + atan2_four(inverse1 * (v1 + e1 * v4), inverse1 * (e1 * v3 - v2));
+    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
+    const four_mask doubt = (w2 <= free_limit_squared2) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2);
+    store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    status[2] = (unsigned char)kind1[2];
+    status[3] = (unsigned char)kind1[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[12], x[LANES];
+    wide_mask kind[4];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (12 >= LANES) {
+        for (int i = 0; i < 12; i += LANES) {
+            const int from = i + LANES <= 12 ? i : 12 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 12 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 12; i++)
+            for (int k = 0; k < LANES; k++)
+                q[12 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 4; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 4 - row < 8 ? 4 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
+{
+    wide_mask kind[4];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 4; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[3], double q[4][3], unsigned char status[4])
@@ -204,8 +694,13 @@ int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsign
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? PUMA_ARM_UNREACHABLE : PUMA_ARM_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -259,6 +754,15 @@ int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 
 void puma_arm_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 12 * k, status + 4 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)puma_arm_ik(T + 16 * i, NULL, (double (*)[3])(q + 12 * i), status + 4 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)puma_arm_ik(T + 16 * k, NULL, (double (*)[3])(q + 12 * k), status + 4 * k);
 }

@@ -29,8 +29,8 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const scara_wrist_branches[4] = {
     "down-left", "down-right", "up-left", "up-right",
@@ -189,9 +189,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef SCARA_WRIST_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -432,14 +432,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide v13 = v5 - v11;
     const wide v14 = v6 - v10;
     const wide v15 = v6 - v11;
-    const wide q4_pp = v12 - pick_wide(half_turn < v12, all_wide(g2), all_wide(0.0)) + pick_wide(v12
-        <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_pm = v13 - pick_wide(half_turn < v13, all_wide(g2), all_wide(0.0)) + pick_wide(v13
-        <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mp = v14 - pick_wide(half_turn < v14, all_wide(g2), all_wide(0.0)) + pick_wide(v14
-        <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mm = v15 - pick_wide(half_turn < v15, all_wide(g2), all_wide(0.0)) + pick_wide(v15
-        <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q4_pp = v12 - pick_wide(half_turn < v12, all_wide(m2), all_wide(0.0)) + pick_wide(v12
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pm = v13 - pick_wide(half_turn < v13, all_wide(m2), all_wide(0.0)) + pick_wide(v13
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mp = v14 - pick_wide(half_turn < v14, all_wide(m2), all_wide(0.0)) + pick_wide(v14
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mm = v15 - pick_wide(half_turn < v15, all_wide(m2), all_wide(0.0)) + pick_wide(v15
+        <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v16 = w2 - w2;
     const wide q3_pp = v16 + (T34 - d6 * T33 - d1);
     const wide q5_pp = q5_ + v16;
@@ -499,12 +499,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -546,7 +546,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -594,15 +594,15 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double s6 = v6 * T21 - v7 * T11;
     const four v8 = atan2_four(all_four(s6), all_four(v6 * T22 - v7 * T12));
     const double v9 = copysign(half_turn, s6);
-    const four v10 = g1 * (e2 - 1.0);
+    const four v10 = m1 * (e2 - 1.0);
 
     /* joint values */
     const four v11 = atan2_four(all_four(-v7), all_four(-v6));
     const double v12 = copysign(half_turn, -v7);
     const four v13 = v11 + v10 * v12;
     const four v14 = v5 - v13;
-    const four q4 = v14 - pick_four(half_turn < v14, all_four(g2), all_four(0.0)) + pick_four(v14 <=
-        -half_turn, all_four(g2), all_four(0.0));
+    const four q4 = v14 - pick_four(half_turn < v14, all_four(m2), all_four(0.0)) + pick_four(v14 <=
+        -half_turn, all_four(m2), all_four(0.0));
     const double v15 = w2 - w2;
     const double q3 = v15 + (T34 - d6 * T33 - d1);
     const four q5 = v15 + e2 * q5_;

@@ -31,6 +31,9 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 9.52e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.097682; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const scorbot_pointing_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -162,6 +165,637 @@ static int read_pose(const double given[16], double T[16])
     }
     return 1;
 }
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef SCORBOT_POINTING_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSCORBOT_POINTING_SCALAR. With -DSCORBOT_POINTING_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(SCORBOT_POINTING_SCALAR) && !defined(SCORBOT_POINTING_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef SCORBOT_POINTING_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
+    return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & SCORBOT_POINTING_UNREACHABLE) | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(
+    const wide T[16], const wide free_joints[1], wide q[20], wide_mask kind[4])
+{
+    const wide T13 = T[2], T14 = T[3];
+    const wide T23 = T[6], T24 = T[7];
+    const wide T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide factor1 = 1.0 / w1;
+    const wide v1 = T14 * factor1;
+    const wide v2 = T24 * factor1;
+    const wide v3 = atan2_wide(-v2, -v1);
+
+    /* theta234 */
+    const wide v4 = v1 * T13 + v2 * T23;
+    const wide w234 = sqrt_wide(T33 * T33 + v4 * v4);
+    const wide_mask free234 = w234 <= free_limit_squared;
+    const wide v5 = 1.0 / w234;
+    const wide c234 = T33 * v5;
+    const wide v6 = v4 * v5;
+    const wide theta234 = atan2_wide(-v6, c234);
+
+    /* theta3 */
+    const wide v7 = d5 * c234;
+    const wide Z1_3 = T34 - d1 - v7;
+    const wide v8 = d5 * v6;
+    const wide v9 = a1 + w1 - v8;
+    const wide v10 = v8 + (a1 - w1);
+    const wide v11 = Z1_3 * Z1_3;
+    const wide N3_p = v11 + v9 * v9;
+    const wide N3_m = v11 + v10 * v10;
+    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
+    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide s3_p = k2 * w3_p;
+    const wide s3_m = k2 * w3_m;
+    const wide c3_p = k2 * (N3_p - k1);
+    const wide c3_m = k2 * (N3_m - k1);
+    const wide q3__p = atan2_wide(s3_p, c3_p);
+    const wide q3__m = atan2_wide(s3_m, c3_m);
+
+    /* theta2 */
+    const wide v12 = a3 * s3_p;
+    const wide v13 = a3 * s3_m;
+    const wide Y1_2_p = a2 + a3 * c3_p;
+    const wide Y1_2_m = a2 + a3 * c3_m;
+    const wide v14 = Z1_3 * Y1_2_p;
+    const wide v15 = Z1_3 * Y1_2_m;
+    const wide v16 = v9 * v12;
+    const wide v17 = v10 * v13;
+    const wide S2_pp = v16 - v14;
+    const wide v18 = v14 + v16;
+    const wide S2_mp = v17 - v15;
+    const wide v19 = v15 + v17;
+    const wide v20 = v9 * Y1_2_p;
+    const wide v21 = v10 * Y1_2_m;
+    const wide v22 = Z1_3 * v12;
+    const wide v23 = Z1_3 * v13;
+    const wide v24 = v20 + v22;
+    const wide v25 = v20 - v22;
+    const wide v26 = v21 + v23;
+    const wide v27 = v21 - v23;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v24 * v24);
+    const wide w2_pm = sqrt_wide(v18 * v18 + v25 * v25);
+    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v26 * v26);
+    const wide w2_mm = sqrt_wide(v19 * v19 + v27 * v27);
+    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
+    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
+    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
+    const wide_mask free2_mm = w2_mm <= free_limit_squared2;
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v28 = v24 * factor2_pp;
+    const wide v29 = v25 * factor2_pm;
+    const wide v30 = v26 * factor2_mp;
+    const wide v31 = v27 * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide v32 = v18 * factor2_pm;
+    const wide s2_mp = S2_mp * factor2_mp;
+    const wide v33 = v19 * factor2_mm;
+    const wide q2__pp = atan2_wide(s2_pp, -v28);
+    const wide q2__pm = atan2_wide(-v32, -v29);
+    const wide q2__mp = atan2_wide(s2_mp, -v30);
+    const wide q2__mm = atan2_wide(-v33, -v31);
+
+    /* is the pose one that the arm can take? */
+    const wide v34 = a1 - v8;
+    const wide v35 = a1 + v8;
+    const wide v36 = v34 - a2 * v28 - a3 * (c3_p * v28 + s3_p * s2_pp);
+    const wide v37 = v34 - a2 * v29 - a3 * (c3_p * v29 + s3_p * v32);
+    const wide v38 = v35 - a2 * v30 - a3 * (c3_m * v30 + s3_m * s2_mp);
+    const wide v39 = v35 - a2 * v31 - a3 * (c3_m * v31 + s3_m * v33);
+    const wide v40 = d1 + v7;
+    const wide v41 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v1
+        * v6) <= pose_slack) & (abs_wide(T23 - v2 * v6) <= pose_slack)), all_wide(0.0),
+        all_wide(-1.0)));
+    const wide v42 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (c3_p * s2_pp - s3_p * v28) + (a2 *
+        s2_pp - v40))) <= pose_slack1) & ((abs_wide(T14 + v1 * v36) <= pose_slack1) & (abs_wide(T24
+        + v2 * v36) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v43 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (s3_p * v29 - c3_p * v32) - (v40 + a2
+        * v32))) <= pose_slack1) & ((abs_wide(T14 + v1 * v37) <= pose_slack1) & (abs_wide(T24 + v2 *
+        v37) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v44 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (c3_m * s2_mp - s3_m * v30) + (a2 *
+        s2_mp - v40))) <= pose_slack1) & ((abs_wide(T14 - v1 * v38) <= pose_slack1) & (abs_wide(T24
+        - v2 * v38) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v45 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (s3_m * v31 - c3_m * v33) - (v40 + a2
+        * v33))) <= pose_slack1) & ((abs_wide(T14 - v1 * v39) <= pose_slack1) & (abs_wide(T24 - v2 *
+        v39) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+
+    /* joint values */
+    const wide v46 = theta234 - (q3__p + q2__pp) - offset4;
+    const wide v47 = theta234 - (q2__pm - q3__p) - offset4;
+    const wide v48 = offset4 + (theta234 + (q3__m + q2__mp));
+    const wide v49 = offset4 + (theta234 + (q2__mm - q3__m));
+    const wide v50 = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0)) + pick_wide(v46
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v51 = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0)) + pick_wide(v47
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v52 = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v48 +
+        pick_wide(half_turn < -v48, all_wide(m2), all_wide(0.0)));
+    const wide v53 = pick_wide(-v49 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v49 +
+        pick_wide(half_turn < -v49, all_wide(m2), all_wide(0.0)));
+    const wide v54 = w3_p - w3_p;
+    const wide v55 = w3_m - w3_m;
+    const wide v56 = v41 - v41;
+    const wide v57 = v56 + (v3 + v54);
+    const wide v58 = v56 + (v55 + (v3 - copysign_wide(all_wide(half_turn), -v2) * h1));
+    const wide v59 = v42 - v42;
+    const wide v60 = v43 - v43;
+    const wide v61 = v44 - v44;
+    const wide v62 = v45 - v45;
+    const wide q1_pp = v57 + v59;
+    const wide q1_pm = v57 + v60;
+    const wide q1_mp = v58 + v61;
+    const wide q1_mm = v58 + v62;
+    const wide q2_pp = v59 + (q2__pp + v56);
+    const wide q2_pm = v60 + (q2__pm + v56);
+    const wide q2_mp = v61 + (q2__mp + v56);
+    const wide q2_mm = v62 + (q2__mm + v56);
+    const wide q3_pp = v59 + (q3__p + v56);
+    const wide q3_pm = v60 + (v56 - q3__p);
+    const wide q3_mp = v61 + (q3__m + v56);
+    const wide q3_mm = v62 + (v56 - q3__m);
+    const wide q4_pp = v59 + (v56 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_pm = v60 + (v56 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_mp = v61 + (v56 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_mm = v62 + (v56 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide v63 = v56 + (v54 + free_joints[0]);
+    const wide v64 = v56 + (v55 + free_joints[0]);
+    const wide q5_pp = v59 + v63;
+    const wide q5_pm = v60 + v63;
+    const wide q5_mp = v61 + v64;
+    const wide q5_mm = v62 + v64;
+    const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
+        ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
+        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
+        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free234 | (w1 <=
+        free_limit1)))))));
+
+    q[0] = q1_pp;
+    q[1] = q2_pp;
+    q[2] = q3_pp;
+    q[3] = q4_pp;
+    q[4] = q5_pp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[5] = q1_pm;
+    q[6] = q2_pm;
+    q[7] = q3_pm;
+    q[8] = q4_pm;
+    q[9] = q5_pm;
+    kind[1] = kind_of(q[5] != q[5], 0);
+    q[10] = q1_mp;
+    q[11] = q2_mp;
+    q[12] = q3_mp;
+    q[13] = q4_mp;
+    q[14] = q5_mp;
+    kind[2] = kind_of(q[10] != q[10], 0);
+    q[15] = q1_mm;
+    q[16] = q2_mm;
+    q[17] = q3_mm;
+    q[18] = q4_mm;
+    q[19] = q5_mm;
+    kind[3] = kind_of(q[15] != q[15], 0);
+    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16], const double free_joints[1])
+{
+    const double zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
+    return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[4][5], unsigned char status[4])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T13 = T[2], T14 = T[3];
+    const double T23 = T[6], T24 = T[7];
+    const double T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double factor1 = 1.0 / w1;
+    const double v1 = T14 * factor1;
+    const double v2 = T24 * factor1;
+    const four v3 = atan2_four(all_four(-v2), all_four(-v1));
+    const double v4 = copysign(half_turn, -v2);
+
+    /* theta234 */
+    const double v5 = v1 * T13 + v2 * T23;
+    const double w234 = sqrt(T33 * T33 + v5 * v5);
+    const int free234 = w234 <= free_limit_squared;
+    const double v6 = 1.0 / w234;
+    const double c234 = T33 * v6;
+    const double v7 = v5 * v6;
+    const four theta234 = atan2_four(all_four(-v7), all_four(c234));
+
+    /* theta3 */
+    const double v8 = d5 * c234;
+    const double Z1_3 = T34 - d1 - v8;
+    const double v9 = d5 * v7;
+    const four v10 = e1 * v9;
+    const four v11 = a1 + e1 * w1 - v10;
+    const double v12 = Z1_3 * Z1_3;
+    const four N3 = v12 + v11 * v11;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four s3 = k2 * w3;
+    const four c3 = k2 * (N3 - k1);
+    const four q3_ = atan2_four(s3, c3);
+
+    /* theta2 */
+    const four v13 = a3 * s3;
+    const four Y1_2 = a2 + a3 * c3;
+    const four v14 = Z1_3 * Y1_2;
+    const four v15 = v11 * v13;
+    const four S2 = e2 * v15 - v14;
+    const four v16 = v11 * Y1_2;
+    const four v17 = Z1_3 * v13;
+    const four v18 = v16 + e2 * v17;
+    const four w2 = sqrt_four(S2 * S2 + v18 * v18);
+    const four_mask free2 = w2 <= free_limit_squared2;
+    const four factor2 = 1.0 / w2;
+    const four v19 = v18 * factor2;
+    const four s2 = S2 * factor2;
+    const four q2_ = atan2_four(s2, -v19);
+
+    /* is the pose one that the arm can take? */
+    const four v20 = a1 - v10;
+    const four v21 = v20 - a2 * v19 - a3 * (c3 * v19 + e2 * (s3 * s2));
+    const double v22 = d1 + v8;
+    const double v23 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v1 * v7) <= pose_slack)
+        & (fabs(T23 - v2 * v7) <= pose_slack))) ? 0.0 : (-1.0));
+    const four v24 = sqrt_four(pick_four((abs_four(T34 + (a3 * (c3 * s2 - e2 * (s3 * v19)) + (a2 *
+        s2 - v22))) <= pose_slack1) & ((abs_four(T14 + e1 * (v1 * v21)) <= pose_slack1) &
+        (abs_four(T24 + e1 * (v2 * v21)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+
+    /* joint values */
+    const four v25 = e2 * q3_;
+    const four v26 = e1 * theta234;
+    const four v27 = v26 - (q2_ + v25) - offset4;
+    const four v28 = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0)) + pick_four(v27
+        <= -half_turn, all_four(m2), all_four(0.0));
+    const four v29 = w3 - w3;
+    const double v30 = v23 - v23;
+    const four v31 = v30 + (v29 + (v3 + v4 * (m1 * (e1 - 1.0))));
+    const four v32 = v24 - v24;
+    const four q1 = v31 + v32;
+    const four q2 = v32 + (q2_ + v30);
+    const four q3 = v32 + (v25 + v30);
+    const four q4 = v32 + (v30 + (v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0))));
+    const four v33 = v30 + (v29 + free_joints[0]);
+    const four q5 = v32 + v33;
+    const int doubt1 = free234 | (w1 <= free_limit1);
+    const four_mask v34 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v34;
+
+    if (!(irregularity_double(T, free_joints) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
+    store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    status[2] = (unsigned char)kind1[2];
+    status[3] = (unsigned char)kind1[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    wide pose[16], found[20], x[LANES];
+    wide_mask kind[4];
+    wide given[1];
+    for (int i = 0; i < 1; i++)
+        for (int k = 0; k < LANES; k++)
+            given[i][k] = free_joints[1 * k + i];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, given, found, kind);
+    if (20 >= LANES) {
+        for (int i = 0; i < 20; i += LANES) {
+            const int from = i + LANES <= 20 ? i : 20 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 20 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 20; i++)
+            for (int k = 0; k < LANES; k++)
+                q[20 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 4; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 4 - row < 8 ? 4 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[4][5], unsigned char status[4])
+{
+    wide_mask kind[4];
+    int count = 0;
+    if (solve_wide(T, free_joints, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 4; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
 
@@ -389,8 +1023,13 @@ int scorbot_pointing_ik(
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
     int count = 0;
+    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? SCORBOT_POINTING_UNREACHABLE : SCORBOT_POINTING_INVALID_POSE;
         for (int i = 0; i < 5; i++)
@@ -454,7 +1093,18 @@ int scorbot_pointing_ik_nearest(
 void scorbot_pointing_ik_batch(
     size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 20 * k, status + 4 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)scorbot_pointing_ik(
+                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[5])(q + 20 * i),
+                    status + 4 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)scorbot_pointing_ik(
             T + 16 * k, free_joints + 1 * k, NULL, (double (*)[5])(q + 20 * k), status + 4 * k);
 }

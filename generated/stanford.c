@@ -34,7 +34,7 @@ static const double low5 = -1.5707963277948966; /* lowest value of joint 5 */
 static const double high5 = 1.5707963277948966; /* highest value of joint 5 */
 static const double low6 = -2.9670597293903604; /* lowest value of joint 6 */
 static const double high6 = 2.9670597293903604; /* highest value of joint 6 */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const stanford_branches[8] = {
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
@@ -185,9 +185,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef STANFORD_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -554,12 +554,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -601,7 +601,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -635,7 +635,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v7 = atan2_four(all_four(-v6), all_four(c2));
     const double v8 = copysign(half_turn, -v6);
     const four v9 = e2 - 1.0;
-    const four v10 = g1 * v9;
+    const four v10 = m1 * v9;
     const four q2_ = v7 + v8 * v10;
 
     /* theta4 */
@@ -654,7 +654,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v16 = c2 * T33;
     const four v17 = atan2_four(-w4, v16 - e1 * (v6 * v12));
     const four v18 = copysign_four(all_four(half_turn), -w4);
-    const four v19 = g1 * -v9;
+    const four v19 = m1 * -v9;
     const four q5_p = e2 * v17 + v18 * v19;
 
     /* theta6 */
@@ -664,7 +664,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v22 = atan2_four(s6, c4 * (c2 * (c1 * T12 - v5 * T22) + e1 * v20) - v15 * (c1 * T22 +
         v5 * T12));
     const four v23 = copysign_four(all_four(half_turn), s6);
-    const four v24 = g1 * (e2 + 1.0);
+    const four v24 = m1 * (e2 + 1.0);
     const four q6_p = v22 + v10 * v23;
     const four q6_m = v22 - v23 * v24;
 

@@ -26,6 +26,8 @@ static const double free_limit_squared2 = 8.1e-25;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.405; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 6.096631611034903; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double h1 = 1.0; /* m1 * 2 */
 
 const char *const staubli_rx90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -178,6 +180,643 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef STAUBLI_RX90_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSTAUBLI_RX90_SCALAR. With -DSTAUBLI_RX90_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(STAUBLI_RX90_SCALAR) && !defined(STAUBLI_RX90_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef STAUBLI_RX90_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & STAUBLI_RX90_UNREACHABLE) | (~(none) & (outside) & STAUBLI_RX90_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)STAUBLI_RX90_UNREACHABLE : (outside) ? (int)STAUBLI_RX90_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide factor1 = 1.0 / w1;
+    const wide v1 = T14 * factor1;
+    const wide v2 = T24 * factor1;
+    const wide v3 = atan2_wide(-v2, -v1);
+
+    /* theta3 */
+    const wide N3 = T34 * T34 + w1 * w1;
+    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide v4 = k2 * (k1 * (N3 - k1));
+    const wide c3 = k2 * (k1 * w3);
+    const wide q3_ppp = atan2_wide(-v4, c3);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - q3_ppp;
+
+    /* theta2 */
+    const wide X1_2 = a2 + d4 * v4;
+    const wide Y1_2 = d4 * c3;
+    const wide v5 = T34 * X1_2;
+    const wide v6 = w1 * Y1_2;
+    const wide S2_pp = v5 + v6;
+    const wide S2_pm = v5 - v6;
+    const wide v7 = w1 * X1_2;
+    const wide v8 = T34 * Y1_2;
+    const wide C2_pp = v8 - v7;
+    const wide C2_mp = v7 + v8;
+    const wide v9 = S2_pp * S2_pp;
+    const wide w2_pp = sqrt_wide(v9 + C2_pp * C2_pp);
+    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_mp * C2_mp);
+    const wide w2_mm = sqrt_wide(v9 + -C2_pp * -C2_pp);
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_mp = C2_mp * factor2_pm;
+    const wide c2_mm = -C2_pp * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_pm = S2_pm * factor2_pm;
+    const wide s2_mm = S2_pp * factor2_mm;
+    const wide q2_ppp = atan2_wide(s2_pp, c2_pp);
+    const wide q2_pmp = atan2_wide(s2_pm, -c2_mp);
+    const wide q2_mpp = atan2_wide(s2_pm, c2_mp);
+    const wide q2_mmp = atan2_wide(s2_mm, c2_mm);
+
+    /* theta4 */
+    const wide c23_pp = v4 * s2_pp + c3 * c2_pp;
+    const wide c23_pm = v4 * s2_pm + c3 * c2_mp;
+    const wide c23_mm = v4 * s2_mm - c3 * c2_mm;
+    const wide s23_pp = c3 * s2_pp - v4 * c2_pp;
+    const wide s23_pm = v4 * c2_mp - c3 * s2_pm;
+    const wide v10 = c3 * s2_mm + v4 * c2_mm;
+    const wide v11 = v1 * T13 + v2 * T23;
+    const wide X4_pp = s23_pp * T33 - c23_pp * v11;
+    const wide v12 = c23_pm * v11;
+    const wide X4_pm = s23_pm * T33 - v12;
+    const wide X4_mp = v12 + -s23_pm * T33;
+    const wide X4_mm = c23_mm * v11 - v10 * T33;
+    const wide Y4 = v1 * T23 - v2 * T13;
+    const wide v13 = Y4 * Y4;
+    const wide w4_pp = sqrt_wide(v13 + X4_pp * X4_pp);
+    const wide w4_pm = sqrt_wide(v13 + X4_pm * X4_pm);
+    const wide w4_mp = sqrt_wide(v13 + X4_mp * X4_mp);
+    const wide w4_mm = sqrt_wide(v13 + X4_mm * X4_mm);
+    const wide factor4_pp = 1.0 / w4_pp;
+    const wide factor4_pm = 1.0 / w4_pm;
+    const wide factor4_mp = 1.0 / w4_mp;
+    const wide factor4_mm = 1.0 / w4_mm;
+    const wide v14 = X4_pp * factor4_pp;
+    const wide v15 = X4_pm * factor4_pm;
+    const wide v16 = X4_mp * factor4_mp;
+    const wide v17 = X4_mm * factor4_mm;
+    const wide s4_pp = Y4 * factor4_pp;
+    const wide s4_pm = Y4 * factor4_pm;
+    const wide s4_mp = Y4 * factor4_mp;
+    const wide s4_mm = Y4 * factor4_mm;
+    const wide q4_ppp = atan2_wide(s4_pp, -v14);
+    const wide q4_pmp = atan2_wide(s4_pm, -v15);
+    const wide q4_mpp = atan2_wide(-s4_mp, -v16);
+    const wide q4_mmp = atan2_wide(-s4_mm, -v17);
+    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4_pp);
+    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), s4_pm);
+    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
+    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+
+    /* theta5 */
+    const wide q5_ppp = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v11);
+    const wide v18 = c23_pm * T33;
+    const wide q5_pmp = atan2_wide(w4_pm, v18 + s23_pm * v11);
+    const wide q5_mpp = atan2_wide(w4_mp, v18 - -s23_pm * v11);
+    const wide q5_mmp = atan2_wide(w4_mm, c23_mm * T33 + v10 * v11);
+
+    /* theta6 */
+    const wide v19 = v1 * T22 - v2 * T12;
+    const wide v20 = v1 * T12 + v2 * T22;
+    const wide v21 = v1 * T21 - v2 * T11;
+    const wide v22 = v1 * T11 + v2 * T21;
+    const wide v23 = v14 * v21 - s4_pp * (s23_pp * T31 - c23_pp * v22);
+    const wide v24 = c23_pm * v22;
+    const wide v25 = v15 * v21 - s4_pm * (s23_pm * T31 - v24);
+    const wide v26 = s4_mp * (v24 + -s23_pm * T31) - v16 * v21;
+    const wide v27 = s4_mm * (c23_mm * v22 - v10 * T31) - v17 * v21;
+    const wide q6_ppp = atan2_wide(v23, v14 * v19 - s4_pp * (s23_pp * T32 - c23_pp * v20));
+    const wide v28 = c23_pm * v20;
+    const wide q6_pmp = atan2_wide(v25, v15 * v19 - s4_pm * (s23_pm * T32 - v28));
+    const wide q6_mpp = atan2_wide(v26, s4_mp * (v28 + -s23_pm * T32) - v16 * v19);
+    const wide q6_mmp = atan2_wide(v27, s4_mm * (c23_mm * v20 - v10 * T32) - v17 * v19);
+    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v23);
+    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v25);
+    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v26);
+    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v27);
+
+    /* joint values */
+    const wide v29 = w3 - w3;
+    const wide q1_ppp = v3 + v29;
+    const wide q1_mpp = v29 + (v3 - copysign_wide(all_wide(half_turn), -v2) * h1);
+    const wide_mask v30 = w2_pm <= free_limit_squared2;
+    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | ((v30 |
+        (w4_mp <= free_limit)) | ((v30 | (w4_pm <= free_limit)) | (((w1 <= free_limit1) |
+        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0))) | ((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppp;
+    q[8] = q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = -q5_ppp;
+    q[11] = q6_ppm;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_ppp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_ppp;
+    q[19] = q2_pmp;
+    q[20] = q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = -q5_pmp;
+    q[23] = q6_pmm;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_ppp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpp;
+    q[32] = q3_ppp;
+    q[33] = q4_mpm;
+    q[34] = -q5_mpp;
+    q[35] = q6_mpm;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mpp;
+    q[37] = q2_mmp;
+    q[38] = q3_pmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mpp;
+    q[43] = q2_mmp;
+    q[44] = q3_pmp;
+    q[45] = q4_mmm;
+    q[46] = -q5_mmp;
+    q[47] = q6_mmm;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double factor1 = 1.0 / w1;
+    const double v1 = T14 * factor1;
+    const double v2 = T24 * factor1;
+    const four v3 = atan2_four(all_four(-v2), all_four(-v1));
+    const double v4 = copysign(half_turn, -v2);
+
+    /* theta3 */
+    const double N3 = T34 * T34 + w1 * w1;
+    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v5 = k2 * (k1 * (N3 - k1));
+    const double c3 = k2 * (k1 * w3);
+    const four v6 = atan2_four(all_four(-v5), all_four(c3));
+    const double v7 = copysign(half_turn, -v5);
+    const four q3_p = e2 * v6 + v7 * (m1 * (1.0 - e2));
+
+    /* theta2 */
+    const double X1_2 = a2 + d4 * v5;
+    const double Y1_2 = d4 * c3;
+    const double v8 = T34 * X1_2;
+    const double v9 = w1 * Y1_2;
+    const four S2 = v8 + v9 * (e1 * e2);
+    const double v10 = w1 * X1_2;
+    const double v11 = T34 * Y1_2;
+    const four v12 = e2 * v11;
+    const four v13 = e1 * v10;
+    const four C2 = v12 - v13;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four s2 = S2 * factor2;
+    const four q2_p = atan2_four(s2, c2);
+
+    /* theta4 */
+    const four c23 = v5 * s2 + e2 * (c3 * c2);
+    const four s23 = e2 * (c3 * s2) - v5 * c2;
+    const double v14 = v1 * T13 + v2 * T23;
+    const four X4 = s23 * T33 - e1 * (c23 * v14);
+    const double Y4 = v1 * T23 - v2 * T13;
+    const double v15 = Y4 * Y4;
+    const four w4 = sqrt_four(v15 + X4 * X4);
+    const four factor4 = 1.0 / w4;
+    const four v16 = X4 * factor4;
+    const four s4 = Y4 * factor4;
+    const four v17 = e1 * s4;
+    const four q4_p = atan2_four(v17, -v16);
+    const four q4_m = q4_p - copysign_four(all_four(half_turn), v17) * h1;
+
+    /* theta5 */
+    const four q5_p = atan2_four(w4, c23 * T33 + e1 * (s23 * v14));
+
+    /* theta6 */
+    const double v18 = v1 * T22 - v2 * T12;
+    const double v19 = v1 * T12 + v2 * T22;
+    const double v20 = v1 * T21 - v2 * T11;
+    const double v21 = v1 * T11 + v2 * T21;
+    const four v22 = e1 * (v16 * v20 - s4 * (s23 * T31 - e1 * (c23 * v21)));
+    const four q6_p = atan2_four(v22, e1 * (v16 * v18 - s4 * (s23 * T32 - e1 * (c23 * v19))));
+    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v22);
+
+    /* joint values */
+    const double v23 = w3 - w3;
+    const four q1_p = v23 + (v3 + v4 * (m1 * (e1 - 1.0)));
+    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
+        (w4 <= free_limit));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
@@ -315,8 +954,13 @@ int staubli_rx90_ik(
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? STAUBLI_RX90_UNREACHABLE : STAUBLI_RX90_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -370,6 +1014,16 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
 
 void staubli_rx90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)staubli_rx90_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)staubli_rx90_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

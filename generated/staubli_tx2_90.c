@@ -43,8 +43,8 @@ static const double low3 = -2.530727416391778; /* lowest value of joint 3 */
 static const double high3 = 2.530727416391778; /* highest value of joint 3 */
 static const double low5 = -2.007128640793479; /* lowest value of joint 5 */
 static const double high5 = 2.4434609537920613; /* highest value of joint 5 */
-static const double g2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const staubli_tx2_90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -247,9 +247,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef STAUBLI_TX2_90_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -573,20 +573,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v68 = atan2_wide(-v33, -v30) - offset2;
     const wide v69 = atan2_wide(s2_mp, -v31) - offset2;
     const wide v70 = atan2_wide(-v34, -v32) - offset2;
-    const wide q2_ppp = v67 - pick_wide(half_turn < v67, all_wide(g2), all_wide(0.0));
-    const wide q2_pmp = v68 - pick_wide(half_turn < v68, all_wide(g2), all_wide(0.0));
-    const wide q2_mpp = v69 - pick_wide(half_turn < v69, all_wide(g2), all_wide(0.0));
-    const wide q2_mmp = v70 - pick_wide(half_turn < v70, all_wide(g2), all_wide(0.0));
+    const wide q2_ppp = v67 - pick_wide(half_turn < v67, all_wide(m2), all_wide(0.0));
+    const wide q2_pmp = v68 - pick_wide(half_turn < v68, all_wide(m2), all_wide(0.0));
+    const wide q2_mpp = v69 - pick_wide(half_turn < v69, all_wide(m2), all_wide(0.0));
+    const wide q2_mmp = v70 - pick_wide(half_turn < v70, all_wide(m2), all_wide(0.0));
     const wide v71 = atan2_wide(s3_p, -v11);
     const wide v72 = atan2_wide(s3_m, -v12);
     const wide v73 = v71 - offset3;
     const wide v74 = h1 * copysign_wide(all_wide(half_turn), s3_p) - v71 - offset3;
     const wide v75 = v72 - offset3;
     const wide v76 = h1 * copysign_wide(all_wide(half_turn), s3_m) - v72 - offset3;
-    const wide q3_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q3_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q3_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q3_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q3_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q3_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v77 = atan2_wide(-v55, -v51);
     const wide v78 = atan2_wide(-v56, -v52);
     const wide v79 = atan2_wide(-v57, v53);
@@ -599,14 +599,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v86 = v79 - h1 * copysign_wide(all_wide(half_turn), -v57) - offset4;
     const wide v87 = v80 - offset4;
     const wide v88 = v80 - h1 * copysign_wide(all_wide(half_turn), -v58) - offset4;
-    const wide q4_ppp = v81 + pick_wide(v81 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_ppm = v82 + pick_wide(v82 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_pmp = v83 + pick_wide(v83 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_pmm = v84 + pick_wide(v84 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mpp = v85 + pick_wide(v85 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mpm = v86 + pick_wide(v86 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mmp = v87 + pick_wide(v87 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q4_mmm = v88 + pick_wide(v88 <= -half_turn, all_wide(g2), all_wide(0.0));
+    const wide q4_ppp = v81 + pick_wide(v81 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_ppm = v82 + pick_wide(v82 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmm = v84 + pick_wide(v84 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpp = v85 + pick_wide(v85 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpm = v86 + pick_wide(v86 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmm = v88 + pick_wide(v88 <= -half_turn, all_wide(m2), all_wide(0.0));
     const wide v89 = atan2_wide(w4_pp, T31 * v35 + v39 * v43);
     const wide v90 = atan2_wide(w4_pm, T31 * v36 + v40 * v43);
     const wide v91 = atan2_wide(w4_mp, T31 * v37 - v41 * v44);
@@ -619,14 +619,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v98 = offset5 + v91;
     const wide v99 = v92 - offset5;
     const wide v100 = offset5 + v92;
-    const wide q5_ppp = v93 + pick_wide(v93 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v94 <= -half_turn, all_wide(g2), all_wide(0.0)) - v94;
-    const wide q5_pmp = v95 + pick_wide(v95 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v96 <= -half_turn, all_wide(g2), all_wide(0.0)) - v96;
-    const wide q5_mpp = v97 + pick_wide(v97 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v98 <= -half_turn, all_wide(g2), all_wide(0.0)) - v98;
-    const wide q5_mmp = v99 + pick_wide(v99 <= -half_turn, all_wide(g2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v100 <= -half_turn, all_wide(g2), all_wide(0.0)) - v100;
+    const wide q5_ppp = v93 + pick_wide(v93 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v94 <= -half_turn, all_wide(m2), all_wide(0.0)) - v94;
+    const wide q5_pmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v96 <= -half_turn, all_wide(m2), all_wide(0.0)) - v96;
+    const wide q5_mpp = v97 + pick_wide(v97 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v98 <= -half_turn, all_wide(m2), all_wide(0.0)) - v98;
+    const wide q5_mmp = v99 + pick_wide(v99 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v100 <= -half_turn, all_wide(m2), all_wide(0.0)) - v100;
     const wide q1_ppp = atan2_wide(s1_p, -v4) + (w3_p - w3_p);
     const wide q1_mpp = atan2_wide(-v7, -v5) + (w3_m - w3_m);
     const wide_mask v101 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
@@ -730,12 +730,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -777,7 +777,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -849,22 +849,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four v27 = atan2_four(s2, -v15) - offset2;
-    const four q2_p = v27 - pick_four(half_turn < v27, all_four(g2), all_four(0.0));
+    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0));
     const four v28 = atan2_four(s3, -v8);
     const four v29 = copysign_four(all_four(half_turn), s3);
-    const four v30 = g1 * (1.0 - e2);
+    const four v30 = m1 * (1.0 - e2);
     const four v31 = e2 * v28 + v29 * v30 - offset3;
-    const four q3_p = v31 + pick_four(v31 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q3_p = v31 + pick_four(v31 <= -half_turn, all_four(m2), all_four(0.0));
     const four v32 = atan2_four(-v22, -v21);
     const four v33 = v32 - offset4;
     const four v34 = v32 - h1 * copysign_four(all_four(half_turn), -v22) - offset4;
-    const four q4_p = v33 + pick_four(v33 <= -half_turn, all_four(g2), all_four(0.0));
-    const four q4_m = v34 + pick_four(v34 <= -half_turn, all_four(g2), all_four(0.0));
+    const four q4_p = v33 + pick_four(v33 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q4_m = v34 + pick_four(v34 <= -half_turn, all_four(m2), all_four(0.0));
     const four v35 = atan2_four(w4, T31 * v16 + v17 * v18);
     const four v36 = v35 - offset5;
     const four v37 = offset5 + v35;
-    const four q5_p = v36 + pick_four(v36 <= -half_turn, all_four(g2), all_four(0.0));
-    const four q5_m = pick_four(-v37 <= -half_turn, all_four(g2), all_four(0.0)) - v37;
+    const four q5_p = v36 + pick_four(v36 <= -half_turn, all_four(m2), all_four(0.0));
+    const four q5_m = pick_four(-v37 <= -half_turn, all_four(m2), all_four(0.0)) - v37;
     const four q1_p = atan2_four(s1, -v4) + (w3 - w3);
     const four_mask v38 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
     const four_mask outside_p = v38 | ((q5_p < low5) | (high5 < q5_p));

@@ -32,6 +32,9 @@ static const double k2 = 6.184066500003152e-14; /* reach_slack1 * (2 * d4 + reac
 static const double k3 = 6.184066500000315e-15; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
 static const double k4 = 0.7020706925; /* a2^2 + a3^2 [m^2] */
 static const double k5 = 1.4278017006745949; /* 1 / (2 * a3 * a2) [m^-2] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const ur10e_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -217,6 +220,755 @@ static int read_pose(const double given[16], double T[16])
     }
     return 1;
 }
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef UR10E_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DUR10E_SCALAR. With -DUR10E_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(UR10E_SCALAR) && !defined(UR10E_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef UR10E_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & UR10E_UNREACHABLE) | (~(none) & (outside) & UR10E_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)UR10E_UNREACHABLE : (outside) ? (int)UR10E_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = T24 - d6 * T23;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = d4 * X1;
+    const wide v2 = d4 * wy;
+    const wide v3 = X1 * w1;
+    const wide v4 = inverse1 * (v2 + v3);
+    const wide v5 = inverse1 * (v2 - v3);
+    const wide v6 = wy * w1;
+    const wide s1_p = inverse1 * (v6 - v1);
+    const wide v7 = inverse1 * (v1 + v6);
+    const wide q1__p = atan2_wide(s1_p, -v4);
+    const wide q1__m = atan2_wide(-v7, -v5);
+
+    /* theta6 */
+    const wide v8 = v4 * T21 + s1_p * T11;
+    const wide v9 = v5 * T21 - v7 * T11;
+    const wide v10 = v4 * T22 + s1_p * T12;
+    const wide v11 = v5 * T22 - v7 * T12;
+    const wide w6_p = sqrt_wide(v8 * v8 + v10 * v10);
+    const wide w6_m = sqrt_wide(v9 * v9 + v11 * v11);
+    const wide factor6_p = 1.0 / w6_p;
+    const wide factor6_m = 1.0 / w6_m;
+    const wide c6_p = v8 * factor6_p;
+    const wide c6_m = v9 * factor6_m;
+    const wide v12 = v10 * factor6_p;
+    const wide v13 = v11 * factor6_m;
+    const wide v14 = atan2_wide(-v12, c6_p);
+    const wide v15 = atan2_wide(-v13, c6_m);
+
+    /* theta5 */
+    const wide c5_p = T13 * s1_p + T23 * v4;
+    const wide c5_m = T23 * v5 - T13 * v7;
+    const wide q5__p = atan2_wide(w6_p, c5_p);
+    const wide q5__m = atan2_wide(w6_m, c5_m);
+
+    /* theta234 */
+    const wide c234_p = c6_p * T32 - v12 * T31;
+    const wide c234_m = c6_m * T32 - v13 * T31;
+    const wide s234_p = c5_p * (c6_p * T31 + v12 * T32) - w6_p * T33;
+    const wide s234_m = c5_m * (c6_m * T31 + v13 * T32) - w6_m * T33;
+    const wide theta234_pp = atan2_wide(s234_p, c234_p);
+    const wide theta234_mp = atan2_wide(s234_m, c234_m);
+    const wide theta234_pm = theta234_pp - h1 * copysign_wide(all_wide(half_turn), s234_p);
+    const wide theta234_mm = theta234_mp - h1 * copysign_wide(all_wide(half_turn), s234_m);
+
+    /* theta3 */
+    const wide v16 = d6 * w6_p;
+    const wide v17 = d6 * w6_m;
+    const wide v18 = T34 - d1;
+    const wide v19 = d5 * c234_p;
+    const wide v20 = d5 * c234_m;
+    const wide v21 = s234_p * v16;
+    const wide v22 = s234_m * v17;
+    const wide Z1_3_pp = v18 + (v19 + v21);
+    const wide Z1_3_pm = v18 + (v21 - v19);
+    const wide Z1_3_mp = v18 + (v20 + v22);
+    const wide Z1_3_mm = v18 + (v22 - v20);
+    const wide v23 = T24 * s1_p - T14 * v4;
+    const wide v24 = T24 * v7 + T14 * v5;
+    const wide v25 = c234_p * v16;
+    const wide v26 = c234_m * v17;
+    const wide v27 = d5 * s234_p;
+    const wide v28 = d5 * s234_m;
+    const wide Z2_3_pp = v23 + (v25 - v27);
+    const wide Z2_3_pm = v23 + (v25 + v27);
+    const wide Z2_3_mp = v26 - v28 - v24;
+    const wide Z2_3_mm = v26 + v28 - v24;
+    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
+    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
+    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
+    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
+    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
+    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
+    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
+    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
+    const wide s3_pp = k5 * w3_pp;
+    const wide s3_pm = k5 * w3_pm;
+    const wide s3_mp = k5 * w3_mp;
+    const wide s3_mm = k5 * w3_mm;
+    const wide c3_pp = k5 * (N3_pp - k4);
+    const wide c3_pm = k5 * (N3_pm - k4);
+    const wide c3_mp = k5 * (N3_mp - k4);
+    const wide c3_mm = k5 * (N3_mm - k4);
+    const wide q3_ppp = atan2_wide(s3_pp, c3_pp);
+    const wide q3_pmp = atan2_wide(s3_pm, c3_pm);
+    const wide q3_mpp = atan2_wide(s3_mp, c3_mp);
+    const wide q3_mmp = atan2_wide(s3_mm, c3_mm);
+
+    /* theta2 */
+    const wide X1_2_pp = a2 + a3 * c3_pp;
+    const wide X1_2_pm = a2 + a3 * c3_pm;
+    const wide X1_2_mp = a2 + a3 * c3_mp;
+    const wide X1_2_mm = a2 + a3 * c3_mm;
+    const wide Y1_2_pp = a3 * s3_pp;
+    const wide Y1_2_pm = a3 * s3_pm;
+    const wide Y1_2_mp = a3 * s3_mp;
+    const wide Y1_2_mm = a3 * s3_mm;
+    const wide v29 = Z1_3_pp * X1_2_pp;
+    const wide v30 = Z1_3_pm * X1_2_pm;
+    const wide v31 = Z1_3_mp * X1_2_mp;
+    const wide v32 = Z1_3_mm * X1_2_mm;
+    const wide v33 = Z2_3_pp * Y1_2_pp;
+    const wide v34 = Z2_3_pm * Y1_2_pm;
+    const wide v35 = Z2_3_mp * Y1_2_mp;
+    const wide v36 = Z2_3_mm * Y1_2_mm;
+    const wide S2_ppp = v29 - v33;
+    const wide S2_ppm = v29 + v33;
+    const wide S2_pmp = v30 - v34;
+    const wide S2_pmm = v30 + v34;
+    const wide S2_mpp = v31 - v35;
+    const wide S2_mpm = v31 + v35;
+    const wide S2_mmp = v32 - v36;
+    const wide S2_mmm = v32 + v36;
+    const wide v37 = Z2_3_pp * X1_2_pp;
+    const wide v38 = Z2_3_pm * X1_2_pm;
+    const wide v39 = Z2_3_mp * X1_2_mp;
+    const wide v40 = Z2_3_mm * X1_2_mm;
+    const wide v41 = Z1_3_pp * Y1_2_pp;
+    const wide v42 = Z1_3_pm * Y1_2_pm;
+    const wide v43 = Z1_3_mp * Y1_2_mp;
+    const wide v44 = Z1_3_mm * Y1_2_mm;
+    const wide C2_ppp = v37 + v41;
+    const wide C2_ppm = v37 - v41;
+    const wide C2_pmp = v38 + v42;
+    const wide C2_pmm = v38 - v42;
+    const wide C2_mpp = v39 + v43;
+    const wide C2_mpm = v39 - v43;
+    const wide C2_mmp = v40 + v44;
+    const wide C2_mmm = v40 - v44;
+    const wide w2_ppp = sqrt_wide(S2_ppp * S2_ppp + C2_ppp * C2_ppp);
+    const wide w2_ppm = sqrt_wide(S2_ppm * S2_ppm + C2_ppm * C2_ppm);
+    const wide w2_pmp = sqrt_wide(S2_pmp * S2_pmp + C2_pmp * C2_pmp);
+    const wide w2_pmm = sqrt_wide(S2_pmm * S2_pmm + C2_pmm * C2_pmm);
+    const wide w2_mpp = sqrt_wide(S2_mpp * S2_mpp + C2_mpp * C2_mpp);
+    const wide w2_mpm = sqrt_wide(S2_mpm * S2_mpm + C2_mpm * C2_mpm);
+    const wide w2_mmp = sqrt_wide(S2_mmp * S2_mmp + C2_mmp * C2_mmp);
+    const wide w2_mmm = sqrt_wide(S2_mmm * S2_mmm + C2_mmm * C2_mmm);
+    const wide factor2_ppp = 1.0 / w2_ppp;
+    const wide factor2_ppm = 1.0 / w2_ppm;
+    const wide factor2_pmp = 1.0 / w2_pmp;
+    const wide factor2_pmm = 1.0 / w2_pmm;
+    const wide factor2_mpp = 1.0 / w2_mpp;
+    const wide factor2_mpm = 1.0 / w2_mpm;
+    const wide factor2_mmp = 1.0 / w2_mmp;
+    const wide factor2_mmm = 1.0 / w2_mmm;
+    const wide q2_ppp = atan2_wide(S2_ppp * factor2_ppp, C2_ppp * factor2_ppp);
+    const wide q2_ppm = atan2_wide(S2_ppm * factor2_ppm, C2_ppm * factor2_ppm);
+    const wide q2_pmp = atan2_wide(S2_pmp * factor2_pmp, C2_pmp * factor2_pmp);
+    const wide q2_pmm = atan2_wide(S2_pmm * factor2_pmm, C2_pmm * factor2_pmm);
+    const wide q2_mpp = atan2_wide(S2_mpp * factor2_mpp, C2_mpp * factor2_mpp);
+    const wide q2_mpm = atan2_wide(S2_mpm * factor2_mpm, C2_mpm * factor2_mpm);
+    const wide q2_mmp = atan2_wide(S2_mmp * factor2_mmp, C2_mmp * factor2_mmp);
+    const wide q2_mmm = atan2_wide(S2_mmm * factor2_mmm, C2_mmm * factor2_mmm);
+
+    /* joint values */
+    const wide v45 = theta234_pp - (q3_ppp + q2_ppp);
+    const wide v46 = theta234_pp - (q2_ppm - q3_ppp);
+    const wide v47 = theta234_pm - (q3_pmp + q2_pmp);
+    const wide v48 = theta234_pm - (q2_pmm - q3_pmp);
+    const wide v49 = theta234_mp - (q3_mpp + q2_mpp);
+    const wide v50 = theta234_mp - (q2_mpm - q3_mpp);
+    const wide v51 = theta234_mm - (q3_mmp + q2_mmp);
+    const wide v52 = theta234_mm - (q2_mmm - q3_mmp);
+    const wide q4_ppp = v45 - pick_wide(half_turn < v45, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_ppm = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmp = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_pmm = v48 - pick_wide(half_turn < v48, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpp = v49 - pick_wide(half_turn < v49, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mpm = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide q4_mmm = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0)) +
+        pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v53 = w3_pp - w3_pp;
+    const wide v54 = w3_pm - w3_pm;
+    const wide v55 = w3_mp - w3_mp;
+    const wide v56 = w3_mm - w3_mm;
+    const wide q1_ppp = q1__p + v53;
+    const wide q1_pmp = q1__p + v54;
+    const wide q1_mpp = q1__m + v55;
+    const wide q1_mmp = q1__m + v56;
+    const wide q5_ppp = q5__p + v53;
+    const wide q5_pmp = v54 - q5__p;
+    const wide q5_mpp = q5__m + v55;
+    const wide q5_mmp = v56 - q5__m;
+    const wide q6_ppp = v14 + v53;
+    const wide q6_pmp = v54 + (v14 - copysign_wide(all_wide(half_turn), -v12) * h1);
+    const wide q6_mpp = v15 + v55;
+    const wide q6_mmp = v56 + (v15 - copysign_wide(all_wide(half_turn), -v13) * h1);
+    const wide_mask doubt = (w2_mmm <= free_limit_squared2) | ((w2_mmp <= free_limit_squared2) |
+        ((w2_mpm <= free_limit_squared2) | ((w2_mpp <= free_limit_squared2) | ((w2_pmm <=
+        free_limit_squared2) | ((w2_pmp <= free_limit_squared2) | ((w2_ppm <= free_limit_squared2) |
+        ((w2_ppp <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm <=
+        longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) &
+        (N3_mp < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <=
+        longest3_reach)) & (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) &
+        (N3_pp < longest3_apart)) == 0)) | ((w6_m <= free_limit) | ((w6_p <= free_limit) | (free1 |
+        ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))))))))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = q3_ppp;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[6] = q1_ppp;
+    q[7] = q2_ppm;
+    q[8] = -q3_ppp;
+    q[9] = q4_ppm;
+    q[10] = q5_ppp;
+    q[11] = q6_ppp;
+    kind[1] = kind_of(q[6] != q[6], 0);
+    q[12] = q1_pmp;
+    q[13] = q2_pmp;
+    q[14] = q3_pmp;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], 0);
+    q[18] = q1_pmp;
+    q[19] = q2_pmm;
+    q[20] = -q3_pmp;
+    q[21] = q4_pmm;
+    q[22] = q5_pmp;
+    q[23] = q6_pmp;
+    kind[3] = kind_of(q[18] != q[18], 0);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = q3_mpp;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], 0);
+    q[30] = q1_mpp;
+    q[31] = q2_mpm;
+    q[32] = -q3_mpp;
+    q[33] = q4_mpm;
+    q[34] = q5_mpp;
+    q[35] = q6_mpp;
+    kind[5] = kind_of(q[30] != q[30], 0);
+    q[36] = q1_mmp;
+    q[37] = q2_mmp;
+    q[38] = q3_mmp;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], 0);
+    q[42] = q1_mmp;
+    q[43] = q2_mmm;
+    q[44] = -q3_mmp;
+    q[45] = q4_mmm;
+    q[46] = q5_mmp;
+    q[47] = q6_mmp;
+    kind[7] = kind_of(q[42] != q[42], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14;
+    const double wy = T24 - d6 * T23;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = d4 * X1;
+    const double v2 = d4 * wy;
+    const double v3 = X1 * w1;
+    const four v4 = inverse1 * (v2 + e1 * v3);
+    const double v5 = wy * w1;
+    const four s1 = inverse1 * (e1 * v5 - v1);
+    const four q1_ = atan2_four(s1, -v4);
+
+    /* theta6 */
+    const four v6 = v4 * T21 + s1 * T11;
+    const four v7 = v4 * T22 + s1 * T12;
+    const four w6 = sqrt_four(v6 * v6 + v7 * v7);
+    const four factor6 = 1.0 / w6;
+    const four c6 = v6 * factor6;
+    const four v8 = v7 * factor6;
+    const four v9 = atan2_four(-v8, c6);
+    const four v10 = copysign_four(all_four(half_turn), -v8);
+    const four v11 = m1 * (e2 - 1.0);
+
+    /* theta5 */
+    const four c5 = T13 * s1 + T23 * v4;
+    const four q5_ = atan2_four(w6, c5);
+
+    /* theta234 */
+    const four c234 = c6 * T32 - v8 * T31;
+    const four s234 = c5 * (c6 * T31 + v8 * T32) - w6 * T33;
+    const four v12 = atan2_four(s234, c234);
+    const four v13 = copysign_four(all_four(half_turn), s234);
+    const four theta234 = v12 + v11 * v13;
+
+    /* theta3 */
+    const four v14 = d6 * w6;
+    const double v15 = T34 - d1;
+    const four v16 = d5 * c234;
+    const four v17 = s234 * v14;
+    const four Z1_3 = v15 + (v17 + e2 * v16);
+    const four v18 = T24 * s1 - T14 * v4;
+    const four v19 = c234 * v14;
+    const four v20 = d5 * s234;
+    const four Z2_3 = v18 + (v19 - e2 * v20);
+    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four s3 = k5 * w3;
+    const four c3 = k5 * (N3 - k4);
+    const four q3_p = atan2_four(s3, c3);
+
+    /* theta2 */
+    const four X1_2 = a2 + a3 * c3;
+    const four Y1_2 = a3 * s3;
+    const four v21 = Z1_3 * X1_2;
+    const four v22 = Z2_3 * Y1_2;
+    const four S2_p = v21 - v22;
+    const four S2_m = v21 + v22;
+    const four v23 = Z2_3 * X1_2;
+    const four v24 = Z1_3 * Y1_2;
+    const four C2_p = v23 + v24;
+    const four C2_m = v23 - v24;
+    const four w2_p = sqrt_four(S2_p * S2_p + C2_p * C2_p);
+    const four w2_m = sqrt_four(S2_m * S2_m + C2_m * C2_m);
+    const four factor2_p = 1.0 / w2_p;
+    const four factor2_m = 1.0 / w2_m;
+    const four q2_p = atan2_four(S2_p * factor2_p, C2_p * factor2_p);
+    const four q2_m = atan2_four(S2_m * factor2_m, C2_m * factor2_m);
+
+    /* joint values */
+    const four v25 = theta234 - (q3_p + q2_p);
+    const four v26 = theta234 - (q2_m - q3_p);
+    const four q4_p = v25 - pick_four(half_turn < v25, all_four(m2), all_four(0.0)) + pick_four(v25
+        <= -half_turn, all_four(m2), all_four(0.0));
+    const four q4_m = v26 - pick_four(half_turn < v26, all_four(m2), all_four(0.0)) + pick_four(v26
+        <= -half_turn, all_four(m2), all_four(0.0));
+    const four v27 = w3 - w3;
+    const four q1_p = q1_ + v27;
+    const four q5_p = v27 + e2 * q5_;
+    const four q6_p = v27 + (v9 + v10 * v11);
+    const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
+    const four_mask v28 = (w6 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (w2_m <= free_limit_squared2) | ((w2_p <= free_limit_squared2) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | v28));
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
+    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
 
@@ -442,8 +1194,13 @@ int ur10e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned 
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? UR10E_UNREACHABLE : UR10E_INVALID_POSE;
         for (int i = 0; i < 6; i++)
@@ -504,6 +1261,15 @@ int ur10e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 
 void ur10e_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)ur10e_ik(T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)ur10e_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
 }

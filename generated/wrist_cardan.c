@@ -11,7 +11,7 @@
 static const double turn = 6.283185307179586;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * g1 */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const wrist_cardan_branches[2] = {
     "left", "right",
@@ -111,9 +111,9 @@ static int read_pose(const double given[16], double T[16])
 #ifndef WRIST_CARDAN_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995668, -0.14285714284686005, 0.11111111016240052,
-    -0.09090904604197154, 0.07692183587543971, -0.06664514961416633, 0.05858166017450316,
-    -0.05085484966214807, 0.039231431590517264, -0.019175374761869125,
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 #endif
 
@@ -350,12 +350,12 @@ HELPER void store_4(
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(even, even, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(odd, odd, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(even, even, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(odd, odd, 2, 3);
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -395,7 +395,7 @@ HELPER double irregularity_double(const double T[16])
     return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz;
 }
 
-static const double g1 = 0.5; /* 1 / 2 */
+static const double m1 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
@@ -414,13 +414,13 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four v2 = atan2_four(all_four(-v1), all_four(c1));
     const double v3 = copysign(half_turn, -v1);
     const four v4 = e1 - 1.0;
-    const four v5 = g1 * v4;
+    const four v5 = m1 * v4;
     const four q1 = v2 + v3 * v5;
 
     /* theta2 */
     const four v6 = atan2_four(all_four(T21), all_four(w1));
     const double v7 = copysign(half_turn, T21);
-    const four q2 = e1 * v6 + v7 * (g1 * -v4);
+    const four q2 = e1 * v6 + v7 * (m1 * -v4);
 
     /* theta3 */
     const double s3 = c1 * T32 - v1 * T12;

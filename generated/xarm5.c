@@ -35,6 +35,9 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 1.080646614543747e-05; /* a pose may be rounded by this [m] */
 static const double k1 = 0.20711584560000001; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
 
 const char *const xarm5_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -201,6 +204,711 @@ static int read_pose(const double given[16], double T[16])
     }
     return 1;
 }
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef XARM5_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DXARM5_SCALAR. With -DXARM5_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(XARM5_SCALAR) && !defined(XARM5_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax;
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four up = pick_four(turned, least - most, least);
+    const four down = pick_four(turned, least + most, most);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + p4 * u4 + p8 * u8;
+    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
+    four a = r + r * u * p + eighth;
+    a = pick_four(steep, 1.5707963267948966 - a, a);
+    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_four(a, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef XARM5_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax;
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide up = pick_wide(turned, least - most, least);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + p4 * u4 + p8 * u8;
+    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
+    wide a = r + r * u * p + eighth;
+    a = pick_wide(steep, 1.5707963267948966 - a, a);
+    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
+    return copysign_wide(a, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & XARM5_UNREACHABLE) | (~(none) & (outside) & XARM5_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)XARM5_UNREACHABLE : (outside) ? (int)XARM5_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide factor1 = 1.0 / w1;
+    const wide c1 = T14 * factor1;
+    const wide s1 = T24 * factor1;
+
+    /* theta234 */
+    const wide Z2_234 = c1 * T13 + s1 * T23;
+    const wide w234 = sqrt_wide(T33 * T33 + Z2_234 * Z2_234);
+    const wide_mask free234 = w234 <= free_limit_squared;
+    const wide factor234 = 1.0 / w234;
+    const wide c234 = T33 * factor234;
+    const wide v1 = Z2_234 * factor234;
+    const wide theta234 = atan2_wide(-v1, c234);
+
+    /* theta5 */
+    const wide Z1_5 = s1 * T12 - c1 * T22;
+    const wide Z2_5 = s1 * T11 - c1 * T21;
+    const wide w5 = sqrt_wide(Z2_5 * Z2_5 + Z1_5 * Z1_5);
+    const wide v2 = 1.0 / w5;
+    const wide v3 = Z1_5 * v2;
+    const wide v4 = Z2_5 * v2;
+    const wide v5 = atan2_wide(-v4, -v3);
+
+    /* theta3 */
+    const wide v6 = d5 * c234;
+    const wide v7 = a4 * v1;
+    const wide v8 = v6 - v7;
+    const wide v9 = v6 + v7;
+    const wide v10 = T34 - d1;
+    const wide Z1_3_p = v10 - v8;
+    const wide Z1_3_m = v10 - v9;
+    const wide v11 = d5 * v1;
+    const wide v12 = a4 * c234;
+    const wide v13 = v11 + v12;
+    const wide v14 = v12 - v11;
+    const wide Z2_3_p = w1 - v13;
+    const wide v15 = w1 + v14;
+    const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p;
+    const wide N3_m = Z1_3_m * Z1_3_m + v15 * v15;
+    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
+    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide s3_p = k2 * w3_p;
+    const wide s3_m = k2 * w3_m;
+    const wide c3_p = k2 * (N3_p - k1);
+    const wide c3_m = k2 * (N3_m - k1);
+    const wide theta3_p = atan2_wide(s3_p, c3_p);
+    const wide theta3_m = atan2_wide(s3_m, c3_m);
+
+    /* theta2 */
+    const wide X1_2_p = a2 + a3 * c3_p;
+    const wide X1_2_m = a2 + a3 * c3_m;
+    const wide Y1_2_p = a3 * s3_p;
+    const wide Y1_2_m = a3 * s3_m;
+    const wide v16 = Z1_3_p * X1_2_p;
+    const wide v17 = Z1_3_m * X1_2_m;
+    const wide v18 = Z2_3_p * Y1_2_p;
+    const wide v19 = v15 * Y1_2_m;
+    const wide S2_pp = v16 - v18;
+    const wide S2_pm = v16 + v18;
+    const wide S2_mp = v17 + v19;
+    const wide S2_mm = v17 - v19;
+    const wide v20 = Z2_3_p * X1_2_p;
+    const wide v21 = v15 * X1_2_m;
+    const wide v22 = Z1_3_p * Y1_2_p;
+    const wide v23 = Z1_3_m * Y1_2_m;
+    const wide C2_pp = v20 + v22;
+    const wide C2_pm = v20 - v22;
+    const wide C2_mp = v23 - v21;
+    const wide v24 = v21 + v23;
+    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
+    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
+    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
+    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v24 * v24);
+    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
+    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
+    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
+    const wide_mask free2_mm = w2_mm <= free_limit_squared2;
+    const wide factor2_pp = 1.0 / w2_pp;
+    const wide factor2_pm = 1.0 / w2_pm;
+    const wide factor2_mp = 1.0 / w2_mp;
+    const wide factor2_mm = 1.0 / w2_mm;
+    const wide c2_pp = C2_pp * factor2_pp;
+    const wide c2_pm = C2_pm * factor2_pm;
+    const wide c2_mp = C2_mp * factor2_mp;
+    const wide v25 = v24 * factor2_mm;
+    const wide s2_pp = S2_pp * factor2_pp;
+    const wide s2_pm = S2_pm * factor2_pm;
+    const wide s2_mp = S2_mp * factor2_mp;
+    const wide s2_mm = S2_mm * factor2_mm;
+    const wide theta2_pp = atan2_wide(s2_pp, c2_pp);
+    const wide theta2_pm = atan2_wide(s2_pm, c2_pm);
+    const wide theta2_mp = atan2_wide(s2_mp, c2_mp);
+    const wide theta2_mm = atan2_wide(s2_mm, -v25);
+
+    /* is the pose one that the arm can take? */
+    const wide v26 = c1 * c234;
+    const wide v27 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v13 + a2 * c2_pp);
+    const wide v28 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v13 + a2 * c2_pm);
+    const wide v29 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v14 + a2 * c2_mp);
+    const wide v30 = a3 * (s3_m * s2_mm - c3_m * v25) + (v14 - a2 * v25);
+    const wide v31 = s1 * c234;
+    const wide v32 = d1 + v8;
+    const wide v33 = d1 + v9;
+    const wide v34 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v1
+        * v4) <= pose_slack) & ((abs_wide(T31 - v1 * v3) <= pose_slack) & ((abs_wide(T23 - s1 * v1)
+        <= pose_slack) & ((abs_wide(T22 - (v4 * v31 - c1 * v3)) <= pose_slack) & ((abs_wide(T21 +
+        (v3 * v31 + c1 * v4)) <= pose_slack) & ((abs_wide(T13 - c1 * v1) <= pose_slack) &
+        ((abs_wide(T11 - (s1 * v4 - v3 * v26)) <= pose_slack) & (abs_wide(T12 - (s1 * v3 + v4 *
+        v26)) <= pose_slack)))))))), all_wide(0.0), all_wide(-1.0)));
+    const wide v35 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v32
+        + a2 * s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v27) <= pose_slack1) & (abs_wide(T24
+        - s1 * v27) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v36 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v32
+        + a2 * s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v28) <= pose_slack1) & (abs_wide(T24
+        - s1 * v28) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v37 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33
+        + a2 * s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v29) <= pose_slack1) & (abs_wide(T24
+        + s1 * v29) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v38 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm + s3_m * v25) + (v33 +
+        a2 * s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v30) <= pose_slack1) & (abs_wide(T24 +
+        s1 * v30) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+
+    /* joint values */
+    const wide v39 = atan2_wide(s1, c1);
+    const wide v40 = v39 - offset1;
+    const wide v41 = v39 - h1 * copysign_wide(all_wide(half_turn), s1) - offset1;
+    const wide v42 = theta2_pp - offset2;
+    const wide v43 = theta2_pm - offset2;
+    const wide v44 = theta2_mp - offset2;
+    const wide v45 = theta2_mm - offset2;
+    const wide v46 = theta3_p - offset3;
+    const wide v47 = offset3 + theta3_p;
+    const wide v48 = theta3_m - offset3;
+    const wide v49 = offset3 + theta3_m;
+    const wide v50 = theta234 - (theta3_p + theta2_pp) - offset4;
+    const wide v51 = theta234 - (theta2_pm - theta3_p) - offset4;
+    const wide v52 = offset4 + (theta234 + (theta3_m + theta2_mp));
+    const wide v53 = offset4 + (theta234 + (theta2_mm - theta3_m));
+    const wide v54 = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0)) + pick_wide(v50
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v55 = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0)) + pick_wide(v51
+        <= -half_turn, all_wide(m2), all_wide(0.0));
+    const wide v56 = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v52 +
+        pick_wide(half_turn < -v52, all_wide(m2), all_wide(0.0)));
+    const wide v57 = pick_wide(-v53 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v53 +
+        pick_wide(half_turn < -v53, all_wide(m2), all_wide(0.0)));
+    const wide v58 = w3_p - w3_p;
+    const wide v59 = w3_m - w3_m;
+    const wide v60 = v34 - v34;
+    const wide v61 = v60 + (v58 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide v62 = v60 + (v59 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide v63 = v35 - v35;
+    const wide v64 = v36 - v36;
+    const wide v65 = v37 - v37;
+    const wide v66 = v38 - v38;
+    const wide q1_pp = v61 + v63;
+    const wide q1_pm = v61 + v64;
+    const wide q1_mp = v62 + v65;
+    const wide q1_mm = v62 + v66;
+    const wide q2_pp = v63 + (v60 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q2_pm = v64 + (v60 + (v43 + pick_wide(v43 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q2_mp = v65 + (v60 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q2_mm = v66 + (v60 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q3_pp = v63 + (v60 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q3_pm = v64 + (v60 + (pick_wide(-v47 <= -half_turn, all_wide(m2), all_wide(0.0)) -
+        v47));
+    const wide q3_mp = v65 + (v60 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m2),
+        all_wide(0.0))));
+    const wide q3_mm = v66 + (v60 + (pick_wide(-v49 <= -half_turn, all_wide(m2), all_wide(0.0)) -
+        v49));
+    const wide q4_pp = v63 + (v60 + (v54 - pick_wide(half_turn < v54, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_pm = v64 + (v60 + (v55 - pick_wide(half_turn < v55, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_mp = v65 + (v60 + (v56 - pick_wide(half_turn < v56, all_wide(m2),
+        all_wide(0.0))));
+    const wide q4_mm = v66 + (v60 + (v57 - pick_wide(half_turn < v57, all_wide(m2),
+        all_wide(0.0))));
+    const wide v67 = v60 + (v5 + v58);
+    const wide v68 = v60 + (v59 + (v5 - copysign_wide(all_wide(half_turn), -v4) * h1));
+    const wide q5_pp = v63 + v67;
+    const wide q5_pm = v64 + v67;
+    const wide q5_mp = v65 + v68;
+    const wide q5_mm = v66 + v68;
+    const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
+        ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
+        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
+        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((w5 <= free_limit_squared) |
+        (free234 | (w1 <= free_limit1))))))));
+
+    q[0] = q1_pp;
+    q[1] = q2_pp;
+    q[2] = q3_pp;
+    q[3] = q4_pp;
+    q[4] = q5_pp;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[5] = q1_pm;
+    q[6] = q2_pm;
+    q[7] = q3_pm;
+    q[8] = q4_pm;
+    q[9] = q5_pm;
+    kind[1] = kind_of(q[5] != q[5], 0);
+    q[10] = q1_mp;
+    q[11] = q2_mp;
+    q[12] = q3_mp;
+    q[13] = q4_mp;
+    q[14] = q5_mp;
+    kind[2] = kind_of(q[10] != q[10], 0);
+    q[15] = q1_mm;
+    q[16] = q2_mm;
+    q[17] = q3_mm;
+    q[18] = q4_mm;
+    q[19] = q5_mm;
+    kind[3] = kind_of(q[15] != q[15], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double factor1 = 1.0 / w1;
+    const double c1 = T14 * factor1;
+    const double s1 = T24 * factor1;
+
+    /* theta234 */
+    const double Z2_234 = c1 * T13 + s1 * T23;
+    const double w234 = sqrt(T33 * T33 + Z2_234 * Z2_234);
+    const int free234 = w234 <= free_limit_squared;
+    const double factor234 = 1.0 / w234;
+    const double c234 = T33 * factor234;
+    const double v1 = Z2_234 * factor234;
+    const four theta234 = atan2_four(all_four(-v1), all_four(c234));
+
+    /* theta5 */
+    const double Z1_5 = s1 * T12 - c1 * T22;
+    const double Z2_5 = s1 * T11 - c1 * T21;
+    const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
+    const double v2 = 1.0 / w5;
+    const double v3 = Z1_5 * v2;
+    const double v4 = Z2_5 * v2;
+    const four v5 = atan2_four(all_four(-v4), all_four(-v3));
+    const double v6 = copysign(half_turn, -v4);
+    const four v7 = m1 * (e1 - 1.0);
+
+    /* theta3 */
+    const double v8 = d5 * c234;
+    const double v9 = a4 * v1;
+    const four v10 = v8 - e1 * v9;
+    const double v11 = T34 - d1;
+    const four Z1_3 = v11 - v10;
+    const double v12 = d5 * v1;
+    const double v13 = a4 * c234;
+    const four v14 = v13 + e1 * v12;
+    const four Z2_3 = e1 * w1 - v14;
+    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four s3 = k2 * w3;
+    const four c3 = k2 * (N3 - k1);
+    const four theta3 = atan2_four(s3, c3);
+
+    /* theta2 */
+    const four X1_2 = a2 + a3 * c3;
+    const four Y1_2 = a3 * s3;
+    const four v15 = Z1_3 * X1_2;
+    const four v16 = Z2_3 * Y1_2;
+    const four S2 = v15 - e2 * v16;
+    const four v17 = Z2_3 * X1_2;
+    const four v18 = Z1_3 * Y1_2;
+    const four C2 = v17 + e2 * v18;
+    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
+    const four_mask free2 = w2 <= free_limit_squared2;
+    const four factor2 = 1.0 / w2;
+    const four c2 = C2 * factor2;
+    const four s2 = S2 * factor2;
+    const four theta2 = atan2_four(s2, c2);
+
+    /* is the pose one that the arm can take? */
+    const double v19 = c1 * c234;
+    const four v20 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v14 + a2 * c2);
+    const double v21 = s1 * c234;
+    const four v22 = d1 + v10;
+    const double v23 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v1 * v4) <= pose_slack)
+        & ((fabs(T31 - v1 * v3) <= pose_slack) & ((fabs(T23 - s1 * v1) <= pose_slack) & ((fabs(T22 -
+        (v4 * v21 - c1 * v3)) <= pose_slack) & ((fabs(T21 + (v3 * v21 + c1 * v4)) <= pose_slack) &
+        ((fabs(T13 - c1 * v1) <= pose_slack) & ((fabs(T11 - (s1 * v4 - v3 * v19)) <= pose_slack) &
+        (fabs(T12 - (s1 * v3 + v4 * v19)) <= pose_slack))))))))) ? 0.0 : (-1.0));
+    const four v24 = sqrt_four(pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v22 +
+        a2 * s2))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v20)) <= pose_slack1) &
+        (abs_four(T24 - e1 * (s1 * v20)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+
+    /* joint values */
+    const four v25 = atan2_four(all_four(s1), all_four(c1));
+    const double v26 = copysign(half_turn, s1);
+    const four v27 = v25 + v7 * v26 - offset1;
+    const four v28 = theta2 - offset2;
+    const four v29 = e2 * theta3;
+    const four v30 = v29 - offset3;
+    const four v31 = e1 * theta234;
+    const four v32 = v31 - (theta2 + v29) - offset4;
+    const four v33 = v32 - pick_four(half_turn < v32, all_four(m2), all_four(0.0)) + pick_four(v32
+        <= -half_turn, all_four(m2), all_four(0.0));
+    const four v34 = w3 - w3;
+    const double v35 = v23 - v23;
+    const four v36 = v35 + (v34 + (v27 + pick_four(v27 <= -half_turn, all_four(m2),
+        all_four(0.0))));
+    const four v37 = v24 - v24;
+    const four q1 = v36 + v37;
+    const four q2 = v37 + (v35 + (v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0))));
+    const four q3 = v37 + (v35 + (v30 + pick_four(v30 <= -half_turn, all_four(m2), all_four(0.0))));
+    const four q4 = v37 + (v35 + (v33 - pick_four(half_turn < v33, all_four(m2), all_four(0.0))));
+    const four v38 = v35 + (v34 + (v5 + v6 * v7));
+    const four q5 = v37 + v38;
+    const int doubt1 = (w5 <= free_limit_squared) | (free234 | (w1 <= free_limit1));
+    const four_mask v39 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v39;
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
+    store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
+    const four_mask kind1 = kind_of(q1 != q1, 0);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[1] = (unsigned char)kind1[1];
+    status[2] = (unsigned char)kind1[2];
+    status[3] = (unsigned char)kind1[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[20], x[LANES];
+    wide_mask kind[4];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (20 >= LANES) {
+        for (int i = 0; i < 20; i += LANES) {
+            const int from = i + LANES <= 20 ? i : 20 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 20 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 20; i++)
+            for (int k = 0; k < LANES; k++)
+                q[20 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 4; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 4 - row < 8 ? 4 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
+{
+    wide_mask kind[4];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 4; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
 
 enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
 
@@ -444,8 +1152,13 @@ int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned 
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
-    const int valid = read_pose(T, pose);
     int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? XARM5_UNREACHABLE : XARM5_INVALID_POSE;
         for (int i = 0; i < 5; i++)
@@ -506,6 +1219,15 @@ int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 
 void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
 {
-    for (size_t k = 0; k < n; k++)
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 20 * k, status + 4 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)xarm5_ik(T + 16 * i, NULL, (double (*)[5])(q + 20 * i), status + 4 * i);
+    }
+#endif
+    for (; k < n; k++)
         (void)xarm5_ik(T + 16 * k, NULL, (double (*)[5])(q + 20 * k), status + 4 * k);
 }
