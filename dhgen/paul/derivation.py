@@ -9,6 +9,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.numerical.kernel import numerical_kernel
+from dhgen.paul.choices import good_choices
 from dhgen.paul.mobility import surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
@@ -74,7 +75,7 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
             return Derivation(
                 Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True)
             )
-        raise UnsolvedError(redundant(chain, spare))
+        raise UnsolvedError(redundant(chain, spare, good_choices(chain, spare, derive)))
     pool = build_pool(problem)
     closed = Search(pool, CLOSED)
     for search in (closed, Search(pool, QUARTIC)):

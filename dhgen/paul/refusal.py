@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.paul.choices import choices_text
 from dhgen.paul.mobility import coincident_axes
 from dhgen.paul.types import CLOSED
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
+    from dhgen.paul.choices import Choice
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.mobility import Surplus
@@ -43,7 +45,7 @@ def refusal(search: Search, chain: Chain) -> str:
     return "\n".join(lines)
 
 
-def redundant(chain: Chain, spare: Surplus) -> str:
+def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     """Why an arm with more joints than its task fixes is not solved, and what can be done."""
     names = ", ".join(map(str, spare.joints))
     given = "one of them" if spare.count == 1 else f"{spare.count} of them"
@@ -54,6 +56,7 @@ def redundant(chain: Chain, spare: Surplus) -> str:
         ),
         *coincident_axes(chain),
         f"name {given} under `free` to solve for the others with its value given",
+        *choices_text(choices),
         "--numerical would give the solution near to a seed, by damped least squares",
     ]
     return "\n".join(lines)

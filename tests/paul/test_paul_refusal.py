@@ -73,3 +73,15 @@ def test_what_was_found_before_the_end_is_named() -> None:
     lines = stuck("theta: 0, d: q", *["theta: q, a: 0.3"] * 3, task="[x, y, z]")
     assert "with r1 known, the equations with the fewest unknowns hold" in lines
     assert lines[0].endswith("2, 3, 4 stay unknown")
+
+
+def test_good_free_joints_are_named() -> None:
+    lines = refused(*["theta: q, a: 0.3"] * 3, task="[x, y]")
+    assert "  free: [1] or [2] or [3] leaves a closed form with 2 rows" in lines
+    assert lines[-1].startswith("--numerical would give")
+
+
+def test_a_hopeless_choice_of_free_joints_is_not_named() -> None:
+    lines = refused(*SKEW, *SKEW[:3])
+    assert "joints 1, 2, 3, 4, 5, 6, 7 can be moved against each other" in lines[0]
+    assert not any(line.startswith("  free: ") for line in lines)

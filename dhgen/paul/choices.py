@@ -1,0 +1,126 @@
+"""Which joints of a redundant arm make good free ones: found by solving the arm that remains."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import combinations, groupby
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.neighbours import EXACT
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.mobility import surplus
+from dhgen.paul.step import Kind
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.mobility import Surplus
+
+    Array = NDArray[np.float64]
+
+MOST_CHOICES = 16  # more would take longer than a refusal may
+MOST_SKEW = 4  # so many joints are solved, or refused, soon without structure
+MOST_TURNING = 3  # the same whatever the number of slides
+POSITIONS = 3
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Choice:
+    """Joints whose values the caller might give, best first.
+
+    Attributes:
+        rank: 0 for a closed form, 1 for a quartic, 2 for the rest.
+        rows: How many solutions the remaining arm has at most.
+        free: The joints, from 1.
+        method: How the remaining arm is solved.
+    """
+
+    rank: int
+    rows: int
+    free: tuple[int, ...]
+    method: str
+
+
+def good_choices(
+    chain: Chain, spare: Surplus, derive: Callable[[Chain], Derivation]
+) -> tuple[Choice, ...]:
+    """The free joints for which the remaining arm is solved, best first.
+
+    Args:
+        chain: The arm.
+        spare: What its task leaves open.
+        derive: Solves an arm, or raises UnsolvedError.
+    """
+    sets = list(combinations(spare.joints, spare.count))
+    found = []
+    for chosen in sets if len(sets) <= MOST_CHOICES else ():
+        remaining = replace(chain, free=tuple(sorted((*chain.free, *chosen))))
+        if surplus(remaining).count or not _has_structure(remaining):
+            continue
+        try:
+            derivation = derive(remaining)
+        except UnsolvedError:
+            continue
+        rank, method = _method(derivation)
+        found.append(Choice(rank, derivation.branches, chosen, method))
+    return tuple(sorted(found))
+
+
+def choices_text(choices: tuple[Choice, ...]) -> list[str]:
+    """What is said of them: a line for each method and number of rows."""
+    lines = []
+    for (_, rows, method), alike in groupby(choices, lambda c: (c.rank, c.rows, c.method)):
+        sets = [f"[{', '.join(map(str, choice.free))}]" for choice in alike]
+        lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {rows} rows")
+    return lines
+
+
+def _method(derivation: Derivation) -> tuple[int, str]:
+    if derivation.whole is not None:
+        return 2, derivation.whole.method
+    quartic = any(step.kind is Kind.CIRCLE for step in derivation.steps)
+    return (1, "quartic") if quartic else (0, "closed form")
+
+
+def _has_structure(chain: Chain) -> bool:
+    """Whether there is hope: few joints that turn, or three axes that belong together.
+
+    The search on a general arm takes minutes and finds nothing.
+    """
+    joints = [joint for joint in chain.joints if joint.number not in chain.free]
+    turning = [joint for joint in joints if joint.kind is JointKind.REVOLUTE]
+    if len(joints) <= MOST_SKEW or len(turning) <= MOST_TURNING:
+        return True
+    arm, source = numeric_arm(chain), np.random.default_rng(9)
+    places = [joint.number - 1 for joint in turning]
+    q = source.uniform(-2.0, 2.0, (POSITIONS, chain.dof))
+    # the given joints take several values: axes on both sides of one must not meet by chance
+    directions, points = arm.axes(q)
+    for first in range(len(places) - 2):
+        triple = places[first : first + 3]
+        z, p = directions[:, triple], points[:, triple] / chain.size
+        if _parallel(z) or _concurrent(z, p):
+            return True
+    return False
+
+
+def _parallel(z: Array) -> bool:
+    return bool(np.abs(np.cross(z[:, :1], z[:, 1:])).max() < EXACT)
+
+
+def _concurrent(z: Array, p: Array) -> bool:
+    """Whether three lines (N, 3, 3) meet in one point, in each of N positions."""
+    across = np.eye(3) - z[..., :, None] * z[..., None, :]
+    normal = across.sum(axis=1)
+    target = (across @ p[..., None]).sum(axis=1)
+    centre = np.linalg.pinv(normal) @ target
+    away = across @ (centre[:, None] - p[..., None])
+    return bool(np.abs(away).max() < EXACT)
