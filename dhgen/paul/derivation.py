@@ -10,6 +10,7 @@ from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.choices import good_choices
+from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.mobility import surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
@@ -78,9 +79,11 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         raise UnsolvedError(redundant(chain, spare, good_choices(chain, spare, derive)))
     pool = build_pool(problem)
     closed = Search(pool, CLOSED)
-    for search in (closed, Search(pool, QUARTIC)):
-        for route in search.routes():
-            return Derivation(pool, route.steps, route.alternatives)
+    for route in closed.routes():
+        return Derivation(pool, route.steps, route.alternatives)
+    pool = with_inverse_forms(pool)
+    for route in Search(pool, QUARTIC).routes():
+        return Derivation(pool, route.steps, route.alternatives)
     kernel = general_kernel(chain)
     if kernel is not None:
         return Derivation(pool, (), (), kernel)

@@ -18,11 +18,16 @@ from dhgen.kinematics.transform import Transform, compose, dot
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.problem import Problem
 
 Vector = tuple["Polynomial", "Polynomial", "Polynomial"]
-Line = tuple[int, int, str, int]  # m, k, "row" or "column", its number
+Line = tuple[int, int, bool, str, int]  # m, k, inverse, "row" or "column", its number
+
+
+MOST_SQUARED = 4  # angles and lengths in a squared distance: with more it comes too late to help
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -35,6 +40,7 @@ class Origin:
         dof: n.
         row: From 1; 0 for the squared length of column 4.
         column: From 1 to 4.
+        inverse: Whether it stands in the inverted form (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m).
     """
 
     m: int
@@ -42,18 +48,22 @@ class Origin:
     dof: int
     row: int
     column: int
+    inverse: bool = False
 
     @property
     def is_mixed(self) -> bool:
-        """Whether joints were moved from the right too, which Paul's U_m do not do."""
-        return self.k < self.dof
+        """Whether it stands in none of Paul's U_m: joints were moved from the right too."""
+        return self.inverse or self.k < self.dof
 
     @property
     def name(self) -> str:
         """How a message calls the place: U2[3, 4], or U1 (A5 A6)^-1 [3, 4] for a mixed form."""
+        moved = " ".join(f"A{joint}" for joint in range(self.k + 1, self.dof + 1))
         matrix = f"U{self.m}"
-        if self.is_mixed:
-            moved = " ".join(f"A{joint}" for joint in range(self.k + 1, self.dof + 1))
+        if self.inverse:
+            before = " ".join(f"A{joint}" for joint in range(1, self.m + 1))
+            matrix = f"{moved} U0^-1 {before}".strip() + " "
+        elif self.is_mixed:
             matrix += f" ({moved})^-1 " if self.k + 1 < self.dof else f" {moved}^-1 "
         if self.row == 0:
             return f"the squared length of column 4 of {matrix.rstrip()}"
@@ -81,8 +91,9 @@ class Equation:
     @property
     def lines(self) -> frozenset[Line]:
         """The columns and rows in which the equation stands."""
-        columns = {(o.m, o.k, "column", o.column) for o in self.origins if o.row}
-        return frozenset(columns | {(o.m, o.k, "row", o.row) for o in self.origins if o.row})
+        places = [o for o in self.origins if o.row]
+        columns = {(o.m, o.k, o.inverse, "column", o.column) for o in places}
+        return frozenset(columns | {(o.m, o.k, o.inverse, "row", o.row) for o in places})
 
 
 def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
@@ -98,15 +109,15 @@ def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
 def _in_line(origins: tuple[Origin, ...]) -> bool:
     if len(origins) == 1:
         return True
-    one_form = len({(origin.m, origin.k) for origin in origins}) == 1
+    one_form = len({(origin.m, origin.k, origin.inverse) for origin in origins}) == 1
     one_column = len({origin.column for origin in origins}) == 1
     one_row = len({origin.row for origin in origins}) == 1
     return one_form and (one_column or one_row) and all(origin.row for origin in origins)
 
 
-def _readability(origins: tuple[Origin, ...]) -> tuple[bool, int, int]:
+def _readability(origins: tuple[Origin, ...]) -> tuple[bool, bool, int, int]:
     first = origins[0]
-    return first.is_mixed, first.m, -first.k
+    return first.inverse, first.is_mixed, first.m, -first.k
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +134,19 @@ class Point:
 
 
 @dataclass(frozen=True, slots=True)
+class BasePoint:
+    """A point of the base whose place in the tool is known from the pose, e.g. a shoulder.
+
+    Attributes:
+        names: Generators of its coordinates in the frame of U_0.
+        in_base: Its coordinates in the base frame (constants).
+    """
+
+    names: tuple[str, str, str]
+    in_base: Vector
+
+
+@dataclass(frozen=True, slots=True)
 class Pool:
     """All equations of a problem.
 
@@ -130,11 +154,13 @@ class Pool:
         problem: What is asked.
         equations: In the order m, k descending, column 4 first.
         points: Points with names of their own.
+        base_points: The same for points of the base seen from the tool.
     """
 
     problem: Problem
     equations: tuple[Equation, ...]
     points: tuple[Point, ...]
+    base_points: tuple[BasePoint, ...] = ()
 
 
 def build_pool(problem: Problem) -> Pool:
@@ -157,10 +183,10 @@ def build_pool(problem: Problem) -> Pool:
             equations += _squared_length(problem, origin, (left, rights[k]), steps[k], middle)
     withheld = _Withheld(problem)
     usable = (e for e in equations if e.difference and not withheld(e.difference))
-    return Pool(problem, _merged(usable), tuple(points))
+    return Pool(problem, merged(usable), tuple(points))
 
 
-def _merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
+def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
     """Each equation once, whatever its sign, with all places where it stands."""
     merged: dict[Polynomial, Equation] = {}
     for equation in equations:
@@ -242,6 +268,8 @@ def _squared_length(
     joints = _right_joints(problem, origin.k, step.translation)
     if len(joints) > 1 or (joints and origin.m > 0):
         return []
+    if not may_help(problem, origin):
+        return []
     second = dot(right.translation, right.translation, normal)
     before, point = (problem.target, step) if joints else factors
     t, v = before.translation, point.translation
@@ -263,6 +291,41 @@ def _right_joints(problem: Problem, k: int, vector: tuple[Polynomial, ...]) -> s
         for place, joint in places.items()
         if joint > k and any(monomial[place] for entry in vector for monomial in entry)
     }
+
+
+def may_help(problem: Problem, origin: Origin) -> bool:
+    """Whether a squared distance holds few enough angles and lengths to be of use.
+
+    It does not depend on what turns the whole about either of its ends.
+    """
+    algebra = problem.algebra
+    first, last = (
+        [element for link in links for element in link]
+        for links in (problem.links[: origin.m], problem.links[origin.k :])
+    )
+    between = [e for link in problem.links[origin.m : origin.k] for e in link]
+
+    def parts(elements: Sequence[Element]) -> set[str]:
+        return moving_parts(algebra, product(elements, algebra).translation)
+
+    held = parts(between) & parts(reversed_elements(between, algebra))
+    held |= parts(first) | parts(reversed_elements(last, algebra))
+    return len(held) <= MOST_SQUARED
+
+
+def moving_parts(algebra: Algebra, vector: tuple[Polynomial, ...]) -> set[str]:
+    """The angle sums and lengths that occur and that the caller does not give."""
+    free = algebra.chain.free
+    names = {
+        place: angle.suffix
+        for angle in algebra.angles
+        if not all(joint in free for joint, _ in angle.terms)
+        for place in (algebra.index[angle.cosine], algebra.index[angle.sine])
+    }
+    slides = {joint: name for joint, name in algebra.slides.items() if joint not in free}
+    names |= {algebra.index[name]: name for name in slides.values()}
+    used = {p for entry in vector for monomial in entry for p, e in enumerate(monomial) if e}
+    return {names[place] for place in used if place in names}
 
 
 class _Withheld:

@@ -55,6 +55,7 @@ class Search:
         self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
         self._partners: set[frozenset[int]] = set()
+        self._places = {id(equation): place for place, equation in enumerate(pool.equations)}
         self._lines = {id(equation): equation.lines for equation in pool.equations}
         self.deepest: Knowledge = self._start
 
@@ -98,12 +99,18 @@ class Search:
                 for equation_type in self._types
                 if equation_type.arity == len(group)
                 and (beside or equation_type.anywhere)
+                and (equation_type.ordered or not self._is_turned(group))
                 and equation_type.why_not(group, view) is None
                 for step in equation_type.steps(group, view)
             )
             if self._steps_of[key] and not beside:
                 self._partners.add(frozenset(id(form.equation) for form in group))
         return self._steps_of[key]
+
+    def _is_turned(self, group: tuple[Form, ...]) -> bool:
+        """Whether a pair stands in the order opposite to the pool's."""
+        places = [self._places[id(form.equation)] for form in group]
+        return places != sorted(places)
 
     def forms(self, knowledge: Knowledge, most: int = MOST_UNKNOWNS) -> list[Form]:
         """The equations of a state with at most so many unknowns, for explanations."""
@@ -125,6 +132,7 @@ class Search:
                     groups += [(first, second), (second, first)]
             if self._anywhere:
                 short = sorted(alike, key=lambda form: len(form.equation.difference))[:SHORTEST]
+                short.sort(key=lambda form: self._places[id(form.equation)])
                 groups += [pair for pair in combinations(short, 2) if not self._beside(*pair)]
         return groups
 

@@ -143,6 +143,7 @@ class EquationType(Protocol):
     name: str
     arity: int
     anywhere: bool  # whether a pair need not stand in one column or row
+    ordered: bool  # whether the same pair in the other order may give another step
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why these equations are not of this type, or None when they are."""

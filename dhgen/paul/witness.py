@@ -208,3 +208,14 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
             witnesses.values[index[name]] = place + witnesses.evaluate(
                 problem.forward.entry(row, 3)
             )
+    for base_point in pool.base_points:
+        offset = [
+            witnesses.evaluate(base_point.in_base[row])
+            - witnesses.evaluate(problem.forward.entry(row, 3))
+            for row in range(3)
+        ]
+        for column, name in enumerate(base_point.names):
+            witnesses.values[index[name]] = sum(
+                witnesses.evaluate(problem.forward.entry(row, column)) * offset[row]
+                for row in range(3)
+            )

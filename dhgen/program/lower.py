@@ -148,6 +148,10 @@ class Lowering:
             if name in point.names:
                 row = point.names.index(name)
                 return self.builder.name(self._point(row, point.in_tool), name)
+        for base_point in self._derivation.pool.base_points:
+            if name in base_point.names:
+                column = base_point.names.index(name)
+                return self.builder.name(self._seen(column, base_point.in_base), name)
         for angle in self._algebra.angles:
             if name in (angle.cosine, angle.sine):
                 self.angles.compose(angle)
@@ -161,6 +165,16 @@ class Lowering:
             if length:
                 part = builder.mul(self.value(f"t{row + 1}{column + 1}"), self.lower(length))
                 total = builder.add(total, part)
+        return total
+
+    def _seen(self, column: int, in_base: tuple[Polynomial, ...]) -> Node:
+        """A coordinate of a point that is fixed to the base, as the tool sees it."""
+        builder = self.builder
+        total = builder.integer(0)
+        for row, length in enumerate(in_base):
+            offset = builder.sub(self.lower(length), self.value(f"t{row + 1}4"))
+            part = builder.mul(self.value(f"t{row + 1}{column + 1}"), offset)
+            total = builder.add(total, part)
         return total
 
     def _check(self) -> None:

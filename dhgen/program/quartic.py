@@ -22,7 +22,8 @@ def lower_circle(context: Lowering, step: Step) -> None:
     """Type 9: the sum of the squares of c_i and s_i is 1.
 
     With P and Q known, by Cramer's rule (Q1 R2 - Q2 R1)^2 + (R1 P2 - R2 P1)^2 = (P1 Q2 - Q1 P2)^2;
-    with (P2, Q2) the vector (P1, Q1) turned by a right angle, R1^2 + R2^2 = P1^2 + Q1^2.
+    with (P1 + i Q1) V2 = (P2 + i Q2) V1,
+    |V1|^2 |R1 V2 - R2 V1|^2 = Im(V1 conj V2)^2 (P1^2 + Q1^2).
     """
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
@@ -30,19 +31,35 @@ def lower_circle(context: Lowering, step: Step) -> None:
     p1, p2, q1, q2, r1, r2 = (
         _linear(context, step, name) for name in ("P1", "P2", "Q1", "Q2", "R1", "R2")
     )
-    if all(builder.is_zero(part) for each in (p1, p2, q1, q2) for part in each[1:]):
+    if step.has("V1x"):
+        left, right = _turned(context, step, (r1, r2))
+        square = _scaled(builder, right, _sum(builder, _square(builder, p1), _square(builder, q1)))
+        polynomial = tuple(builder.sub(a, b) for a, b in zip(left, square, strict=True))
+    else:
         cosine = _combined(builder, r2, q1[0], r1, q2[0])
         sine = _combined(builder, r1, p2[0], r2, p1[0])
         determinant = builder.sub(builder.mul(p1[0], q2[0]), builder.mul(q1[0], p2[0]))
         total = _sum(builder, _square(builder, cosine), _square(builder, sine))
         polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
-    else:
-        left = _sum(builder, _square(builder, r1), _square(builder, r2))
-        right = _sum(builder, _square(builder, p1), _square(builder, q1))
-        polynomial = tuple(builder.sub(a, b) for a, b in zip(left, right, strict=True))
     root = context.new_root(f"x{angle.suffix}", polynomial)
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
     context.angles.solved_by_angle(angle, root)
+
+
+def _turned(context: Lowering, step: Step, sides: tuple[Linear, Linear]) -> tuple[Circle, Node]:
+    """|V1|^2 |R1 V2 - R2 V1|^2 and Im(V1 conj V2)^2."""
+    builder = context.builder
+    x1, y1, x2, y2 = letters(context, step, "V1x V1y V2x V2y")
+    r1, r2 = sides
+    real = _square(builder, _combined(builder, r1, x2, r2, x1))
+    imaginary = _square(builder, _combined(builder, r1, y2, r2, y1))
+    size = builder.add(builder.square(x1), builder.square(y1))
+    apart = builder.sub(builder.mul(y1, x2), builder.mul(x1, y2))
+    return _scaled(builder, size, _sum(builder, real, imaginary)), builder.square(apart)
+
+
+def _scaled(builder: Builder, factor: Node, f: Circle) -> Circle:
+    return tuple(builder.mul(factor, part) for part in f)
 
 
 def _linear(context: Lowering, step: Step, name: str) -> Linear:

@@ -25,6 +25,7 @@ class Angle:
     name = "type 2"
     arity = 1
     anywhere = False
+    ordered = True
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equation is not X s + Y c = Z with X and Y that matter."""

@@ -24,6 +24,7 @@ class AngleAndLength:
     name = "type 5"
     arity = 2
     anywhere = False
+    ordered = True
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not X1 s = Y1 + Z1 r, X2 c = Y2 + Z2 r."""

@@ -34,6 +34,7 @@ class AnglePair:
     name = "type 3"
     arity = 2
     anywhere = False
+    ordered = True
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not two equations in one angle."""

@@ -2,10 +2,14 @@
 
 P1 c_i + Q1 s_i + R1 = 0 and P2 c_i + Q2 s_i + R2 = 0, where P, Q and R are at most linear in c_j
 and s_j. Solved for c_i and s_i, the sum of their squares is 1: a trigonometric polynomial in
-theta_j. It is of degree 2, with at most four roots, when P and Q are known, and when (P2, Q2) is
-(P1, Q1) turned by a right angle (D. L. Pieper, The kinematics of manipulators under computer
-control, 1968: the arm before a spherical wrist). Three concurrent or parallel axes anywhere in
-the arm end here.
+theta_j. It is of degree 2, with at most four roots, in two cases.
+
+P and Q are known. Or the vectors (P, Q) of both equations are one vector, turned and stretched by
+what is known: written as complex numbers, (P1 + i Q1) V2 = (P2 + i Q2) V1 with known V1 and V2. The
+two equations are then Re(V m) + R = 0 with m = (P1 + i Q1) exp(-i theta_i) / V1, and the size of m
+gives |V1|^2 |R1 V2 - R2 V1|^2 = Im(V1 conj V2)^2 (P1^2 + Q1^2) (D. L. Pieper, The kinematics of
+manipulators under computer control, 1968: the arm before a spherical wrist, with V2 = i V1). Three
+concurrent or parallel axes anywhere in the arm end here.
 """
 
 from __future__ import annotations
@@ -29,7 +33,12 @@ if TYPE_CHECKING:
 
 PENALTY = 500
 ROOTS = 4
+SAME = 1e-9  # of two products that are one by the arm's geometry
 FLAT = 1e-6  # of the polynomial's size: a slope this small is that of a double root
+
+
+Number = tuple["Polynomial", "Polynomial"]  # real and imaginary part
+Ratio = tuple[Number, Number]
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +89,27 @@ class Split:
                 return sign
         return 0
 
+    def ratio(self, view: View) -> Ratio | None:
+        """V1 and V2 with (P1 + i Q1) V2 = (P2 + i Q2) V1, if there are any that are known."""
+        ring = self.p[0].one.ring
+        if self.turned:
+            return (ring.one, ring.zero), (ring.zero, ring.one * self.turned)
+        first, second = (
+            list(zip(p.letters, q.letters, strict=True))
+            for p, q in zip(self.p, self.q, strict=True)
+        )
+        pairs = [(x, y) for x, y in zip(first, second, strict=True) if any(x) or any(y)]
+        if not pairs or not all(any(x) and any(y) for x, y in pairs):
+            return None
+        values = [(_complex(x, view), _complex(y, view)) for x, y in pairs]
+        sizes = [min(float(np.min(np.abs(v))) for v in pair) for pair in values]
+        best = int(np.argmax(sizes))
+        one, other = values[best]
+        for x, y in values:
+            if np.any(np.abs(x * other - y * one) > SAME * np.abs(x * other)):
+                return None
+        return pairs[best]
+
 
 class Circle:
     """Type 9, up to four values."""
@@ -87,36 +117,38 @@ class Circle:
     name = "type 9"
     arity = 2
     anywhere = True
+    ordered = False
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations give no polynomial of degree 2."""
         splits = _splits(forms)
         if isinstance(splits, str):
             return splits
-        fitting = [split for split in splits if split.is_known or split.turned]
-        if not fitting:
+        if not any(split.is_known or split.ratio(view) for split in splits):
             return "the polynomial would be of a higher degree than 2"
-        if not any(_is_sound(split, view) for split in fitting):
-            return "the polynomial vanishes, or has only double roots"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
-        """A step for each angle that can stay."""
+        """A step for each angle that can stay, unless the polynomial has only double roots."""
         splits = _splits(forms)
         if isinstance(splits, str):
             return
         for split in splits:
-            if (split.is_known or split.turned) and _is_sound(split, view):
-                yield _step(split, forms)
+            ratio = None if split.is_known else split.ratio(view)
+            if (split.is_known or ratio) and _is_sound(split, ratio, view):
+                yield _step(split, ratio, forms)
 
 
-def _step(split: Split, forms: Sequence[Form]) -> Step:
+def _step(split: Split, ratio: Ratio | None, forms: Sequence[Form]) -> Step:
     letters = tuple(
         (f"{letter}{number}{part}", value)
         for letter, pair in (("P", split.p), ("Q", split.q), ("R", split.r))
         for number, linear in enumerate(pair, start=1)
         for part, value in zip(("", "c", "s"), linear.letters, strict=True)
     )
+    if ratio is not None:
+        (x1, y1), (x2, y2) = ratio
+        letters = (*letters, ("V1x", x1), ("V1y", y1), ("V2x", x2), ("V2y", y2))
     penalty = PENALTY + sum(len(value) for _, value in letters)
     return Step(Kind.CIRCLE, (split.kept,), tuple(forms), letters, ROOTS, penalty)
 
@@ -154,12 +186,13 @@ def _split(forms: Sequence[Form], eliminated: AngleSum, kept: AngleSum) -> Split
     )
 
 
-def _is_sound(split: Split, view: View) -> bool:
+def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     """Whether the true angle is a simple root on every witness."""
     cosine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.cosine))
     sine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.sine))
     parts = [_numeric(linear, view) for linear in (*split.p, *split.q, *split.r)]
-    slopes, sizes = _slope(parts, cosine, sine, known=split.is_known)
+    numbers = None if ratio is None else (_complex(ratio[0], view), _complex(ratio[1], view))
+    slopes, sizes = _slope(parts, cosine, sine, numbers)
     return bool(np.all(np.abs(slopes) > FLAT * sizes))
 
 
@@ -171,8 +204,16 @@ def _numeric(linear: Linear, view: View) -> Parts:
     return one, cosine, sine
 
 
+def _complex(number: Number, view: View) -> NDArray[np.complex128]:
+    real, imaginary = (view.witnesses.evaluate(part) for part in number)
+    return np.asarray(real + 1j * imaginary)
+
+
 def _slope(
-    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64], *, known: bool
+    parts: list[Parts],
+    cosine: NDArray[np.float64],
+    sine: NDArray[np.float64],
+    ratio: tuple[NDArray[np.complex128], NDArray[np.complex128]] | None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The polynomial's derivative at the true angle, and its size, on every witness."""
 
@@ -180,10 +221,14 @@ def _slope(
         c = cosine * np.cos(turn) - sine * np.sin(turn)
         s = sine * np.cos(turn) + cosine * np.sin(turn)
         p1, p2, q1, q2, r1, r2 = (one + u * c + v * s for one, u, v in parts)
-        if known:
+        if ratio is None:
             determinant = p1 * q2 - q1 * p2
             return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)
-        return np.asarray(r1**2 + r2**2 - p1**2 - q1**2)
+        v1, v2 = ratio
+        apart = (v1 * v2.conj()).imag
+        return np.asarray(
+            np.abs(v1 * (r1 * v2 - r2 * v1)) ** 2 - apart**2 * (p1**2 + q1**2), dtype=np.float64
+        )
 
     step = 1e-4
     sizes = np.max([np.abs(at(turn)) for turn in np.linspace(0.0, 6.0, 13)], axis=0)

@@ -22,6 +22,7 @@ class SingleLength:
     name = "type 1"
     arity = 1
     anywhere = False
+    ordered = True
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equation is not X r = Y."""

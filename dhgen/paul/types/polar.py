@@ -24,6 +24,7 @@ class Polar:
     name = "type 4"
     arity = 2
     anywhere = False
+    ordered = True
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not a vector in polar coordinates."""

@@ -39,6 +39,7 @@ class TwoAngles:
     name = "types 6 to 8"
     arity = 2
     anywhere = False
+    ordered = False
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations are not one vector equation in two angles."""

@@ -23,9 +23,10 @@ from dhgen.targets.derivation.words import many
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Origin, Point
+    from dhgen.paul.pool import BasePoint, Origin, Point
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.formula import Formula
+    from dhgen.targets.derivation.matrices import Form
     from dhgen.targets.derivation.story import Story
 
 POSE = Symbol(r"\mathit{POS}", "POS")
@@ -39,6 +40,9 @@ def inverse_beginning(story: Story) -> list[Block]:
     for point in story.derivation.pool.points:
         if _is_used(story, point):
             blocks += _point(story, point)
+    for base_point in story.derivation.pool.base_points:
+        if _is_used(story, base_point):
+            blocks += _base_point(story, base_point)
     return blocks + _matrices(story)
 
 
@@ -126,7 +130,7 @@ def _stay(story: Story) -> list[Block]:
     return [paragraph(text, joined(stays))]
 
 
-def _is_used(story: Story, point: Point) -> bool:
+def _is_used(story: Story, point: Point | BasePoint) -> bool:
     places = [story.algebra.index[name] for name in point.names]
     return any(
         monomial[place]
@@ -166,41 +170,65 @@ def _point(story: Story, point: Point) -> list[Block]:
     return [paragraph(text, head, shown), display(*coordinates)]
 
 
+def _base_point(story: Story, point: BasePoint) -> list[Block]:
+    """A point of the base as the tool sees it: R' (b - t)."""
+    target = story.derivation.problem.target
+    name = Symbol("w", "w", point.names[0].rpartition("x")[0])
+    coordinates = []
+    for column, own in enumerate(point.names):
+        total = story.algebra.ring.zero
+        for row, length in enumerate(point.in_base):
+            total += target.entry(row, column) * (length - target.entry(row, 3))
+        coordinates.append(equal(story.letters[own], story.write(total)))
+    entries = [story.write(entry) for entry in point.in_base]
+    shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
+    text = (
+        "The point {} of the base, which no joint before it moves, is seen in the last frame at {},"
+    )
+    return [paragraph(text, shown, name), display(*coordinates)]
+
+
 def _matrices(story: Story) -> list[Block]:
     """Both sides of every element in the columns that the steps use, each once."""
-    used: dict[tuple[int, int], list[Origin]] = {}
+    used: dict[tuple[bool, int, int], list[Origin]] = {}
     for step in story.steps:
         for origin in step.origins:
-            used.setdefault((origin.m, origin.k), []).append(origin)
+            used.setdefault((origin.inverse, origin.m, -origin.k), []).append(origin)
     blocks: list[Block] = []
-    for (m, k), origins in sorted(used.items(), key=lambda item: (item[0][0], -item[0][1])):
-        rows = _wanted(story, m, k, origins)
-        equations = [_element_equation(story, m, k, row, column) for row, column in rows]
+    for (inverted, m, minus_k), origins in sorted(used.items()):
+        form = story.form(m, -minus_k, inverse=inverted)
+        equations = [
+            _element_equation(story, form, *place) for place in _wanted(story, form, origins)
+        ]
         if equations:
             blocks.append(display(*equations))
-            blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, m, k)))
+            blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, form)))
     if not blocks:
         return []
     text = "The elements that are used below, and their neighbours in column 4:"
     return [paragraph(text), *blocks]
 
 
-def _form_sentence(story: Story, m: int, k: int) -> Prose:
+def _form_sentence(story: Story, form: Form) -> Prose:
     """U_m = A_m^-1 U_{m-1} = A_{m+1} ... A_k."""
-    name = left_name(m, k, story.dof)
+    m, k = form.m, form.k
+    name = left_name(m, k, story.dof, inverted=form.inverse)
+    middle = middle_name(m, k, inverted=form.inverse)
+    if form.inverse:
+        seen = [Given(str(number)) for number in (m, k)]
+        return say("{} (frame {} seen from frame {}):", equal(name, middle), *seen)
     if k == story.dof:
         before: tuple[Formula, ...] = ()
         if m:
             before = (Product((inverse_name(link(m)), target(m - 1))),)
-        return say("{}:", equal(name, *before, middle_name(m, k)))
+        return say("{}:", equal(name, *before, middle))
     moved = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
     text = f"{{}} ({moved} moved to the side of {{}}):"
-    return say(text, equal(name, middle_name(m, k)), target(0))
+    return say(text, equal(name, middle), target(0))
 
 
-def _wanted(story: Story, m: int, k: int, origins: list[Origin]) -> list[tuple[int, int]]:
+def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, int]]:
     """The elements to show: used ones, and the whole of column 4 where the task gives it."""
-    form = story.form(m, k)
     withheld = {story.algebra.index[f"t{i}{j}"] for i in (1, 2, 3) for j in (1, 2, 3, 4)} - {
         story.algebra.index[name] for name in story.derivation.problem.known
     }
@@ -219,7 +247,7 @@ def _wanted(story: Story, m: int, k: int, origins: list[Origin]) -> list[tuple[i
     return kept
 
 
-def _element_equation(story: Story, m: int, k: int, row: int, column: int) -> Formula:
-    left, right = sides(story.form(m, k), row, column)
-    name = Element(left_name(m, k, story.dof), row, column)
+def _element_equation(story: Story, form: Form, row: int, column: int) -> Formula:
+    left, right = sides(form, row, column)
+    name = Element(left_name(form.m, form.k, story.dof, inverted=form.inverse), row, column)
     return equal(name, story.write(left), story.write_forward(right))

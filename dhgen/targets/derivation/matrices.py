@@ -1,7 +1,8 @@
 """The matrices of a derivation: A_i, T_i^0, and both sides of every mixed form of U_0.
 
 A mixed form is (A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k; with k = n it is Paul's
-U_m.
+U_m. An inverted form is (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m) = (A_{m+1} ... A_k)^-1; only its
+column 4 is used.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.product import product, reversed_elements
-from dhgen.kinematics.transform import Transform, compose
+from dhgen.kinematics.transform import Transform, compose, translation
+from dhgen.paul.inverse_forms import inverted_column
 from dhgen.targets.derivation.formula import Formula, Product, times
 from dhgen.targets.derivation.names import inverse, link, product_of, target
 
@@ -30,18 +32,24 @@ class Form:
         k: Joints moved from the right begin at k + 1.
         left: The side with U_0; its origin by name when it is a named point.
         right: A_{m+1} ... A_k.
+        inverse: Whether the form is inverted; then only the translations are filled in.
     """
 
     m: int
     k: int
     left: Transform
     right: Transform
+    inverse: bool = False
 
 
-def form_of(pool: Pool, m: int, k: int) -> Form:
+def form_of(pool: Pool, m: int, k: int, *, inverse: bool = False) -> Form:
     """Both sides of a mixed form."""
     problem = pool.problem
     algebra = problem.algebra
+    if inverse:
+        left_column, right_column = inverted_column(pool, m, k)
+        ring = algebra.ring
+        return Form(m, k, translation(ring, left_column), translation(ring, right_column), inverse)
     before = [element for link in problem.links[:m] for element in link]
     middle = [element for link in problem.links[m:k] for element in link]
     left = product(reversed_elements(before, algebra), algebra)
@@ -82,14 +90,19 @@ def forward_of(algebra: Algebra, number: int) -> Transform:
     return product(elements, algebra)
 
 
-def left_name(m: int, k: int, dof: int) -> Formula:
-    """U_m, or U_m A_n^-1 ... A_{k+1}^-1."""
+def left_name(m: int, k: int, dof: int, *, inverted: bool = False) -> Formula:
+    """U_m, U_m A_n^-1 ... A_{k+1}^-1, or A_{k+1} ... A_n U_0^-1 A_1 ... A_m."""
+    if inverted:
+        after, before = (map(link, numbers) for numbers in (range(k + 1, dof + 1), range(1, m + 1)))
+        return times(*after, inverse(target(0)), *before)
     back = [inverse(link(number)) for number in range(dof, k, -1)]
     return times(target(m), *back)
 
 
-def middle_name(m: int, k: int) -> Formula:
-    """A_{m+1} ... A_k, in short when it is long."""
+def middle_name(m: int, k: int, *, inverted: bool = False) -> Formula:
+    """A_{m+1} ... A_k, or its inverse."""
+    if inverted:
+        return times(*(inverse(link(number)) for number in range(k, m, -1)))
     return product_of(range(m + 1, k + 1))
 
 

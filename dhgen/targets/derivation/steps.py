@@ -66,8 +66,10 @@ def _where(story: Story, step: Step) -> Prose:
     names = [say("{}", element_of(origin)) for origin in origins]
     head = say("From {}", joined(names))
     first = origins[0]
-    if not all((o.m, o.k) == (first.m, first.k) for o in origins):
+    if not all((o.m, o.k, o.inverse) == (first.m, first.k, first.inverse) for o in origins):
         return say("{}:", head)
+    if first.inverse:
+        return say("{}{}, seen from the tool:", head, _line_of(origins))
     if first.is_mixed:
         joints = many("joint", [str(joint) for joint in range(first.k + 1, story.dof + 1)])
         moved = say(f", {joints} moved to the side of {{}}", Symbol("U_0", "U₀"))
@@ -86,7 +88,7 @@ def _line_of(origins: tuple[Origin, ...]) -> Prose:
 
 def element_of(origin: Origin) -> Formula:
     """U_1[2,4], or the squared length of a column 4."""
-    name = left_name(origin.m, origin.k, origin.dof)
+    name = left_name(origin.m, origin.k, origin.dof, inverted=origin.inverse)
     if origin.row:
         return Element(name, origin.row, origin.column)
     from dhgen.targets.derivation.style import LATEX, PLAIN, show  # noqa: PLC0415

@@ -173,14 +173,15 @@ class Story:
         """Whether the origin of a frame is the wrist centre."""
         return self.wrist is not None and frame >= self.wrist[0] - 1
 
-    def form(self, m: int, k: int) -> Form:
+    def form(self, m: int, k: int, *, inverse: bool = False) -> Form:
         """Both sides of a mixed form."""
-        if (m, k) not in self._forms:
-            self._forms[m, k] = form_of(self.derivation.pool, m, k)
-        return self._forms[m, k]
+        key = (m, k, inverse)
+        if key not in self._forms:
+            self._forms[key] = form_of(self.derivation.pool, m, k, inverse=inverse)
+        return self._forms[key]
 
     @cached_property
-    def _forms(self) -> dict[tuple[int, int], Form]:
+    def _forms(self) -> dict[tuple[int, int, bool], Form]:
         return {}
 
     @cached_property

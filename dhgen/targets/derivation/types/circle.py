@@ -10,6 +10,7 @@ from dhgen.targets.derivation.formula import (
     ZERO,
     Call,
     Formula,
+    Symbol,
     add,
     equal,
     number,
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext
 
 P1, Q1, R1, P2, Q2, R2 = (type_letter(name) for name in ("P1", "Q1", "R1", "P2", "Q2", "R2"))
+V1, V2 = (type_letter(name) for name in ("V1", "V2"))
+I = Symbol("i", "i")
 
 
 def print_circle(context: StepContext) -> StepText:
@@ -36,22 +39,13 @@ def print_circle(context: StepContext) -> StepText:
     c, s = cosine(gone), sine(gone)
     letters = ((P1, Q1, R1), (P2, Q2, R2))
     rows = [equal(add(times(p, c), times(q, s), r), ZERO) for p, q, r in letters]
-    parts = [f"{x}{n}{part}" for x in "PQ" for n in "12" for part in "cs"]
-    known = not any(context.polynomial(part) for part in parts)
     half = letter("x", "x")
     tangent = equal(half, Call("tan", (over(theta(kept), number(2)),)))
     names = (cosine(kept), sine(kept), tangent, half, theta(kept), theta(gone))
     blocks: list[Block] = [
         paragraph("These are {} and {}, where {} occurs in", *rows, theta(kept)),
         display(*(_definition(context, f"{x}{n}") for n in "12" for x in "PQR")),
-        paragraph(
-            "Solved for {} and {} by Cramer's rule, the sum of their squares is 1, and {} drops "
-            "out:",
-            c,
-            s,
-            theta(gone),
-        ),
-        display(_condition(known=known)),
+        *_elimination(context, c, s, gone),
         paragraph(
             "This is of degree 2 in {} and {}. With {} it is an equation of degree 4 in {}, and "
             "its real roots, at most four, give {}; {} follows for each of them.",
@@ -79,9 +73,51 @@ def _definition(context: StepContext, name: str) -> Formula:
     )
 
 
-def _condition(*, known: bool) -> Formula:
-    if not known:
-        return equal(add(square(R1), square(R2)), add(square(P1), square(Q1)))
+def _elimination(context: StepContext, c: Formula, s: Formula, gone: AngleSum) -> list[Block]:
+    """How the other angle drops out."""
+    step = context.step
+    if not step.has("V1x"):
+        text = "By Cramer's rule for {} and {}, whose squares sum to 1, {} drops out:"
+        return [paragraph(text, c, s, theta(gone)), display(_by_cramer())]
+    ring = context.story.algebra.ring
+    if (step.coefficient("V1x"), step.coefficient("V1y")) == (ring.one, ring.zero):
+        text = (
+            "{} is {} turned by a right angle, so the two equations give a vector that is {} "
+            "turned by {}, and its length gives"
+        )
+        first, second = (
+            Symbol(f"(P_{n}, Q_{n})", f"(P{sub}, Q{sub})") for n, sub in (("1", "₁"), ("2", "₂"))
+        )
+        turned = equal(add(square(R1), square(R2)), add(square(P1), square(Q1)))
+        return [paragraph(text, second, first, first, theta(gone)), display(turned)]
+    text = (
+        "{} and {} are one vector, turned and stretched by what is known. As complex numbers, {} "
+        "with the known"
+    )
+    vectors = [add(p, times(I, q)) for p, q in ((P1, Q1), (P2, Q2))]
+    same = equal(times(vectors[0], V2), times(vectors[1], V1))
+    known = [
+        equal(v, context.story.write(context.polynomial(f"{name}x"), context.number))
+        for v, name in ((Call("Re", (V1,)), "V1"), (Call("Re", (V2,)), "V2"))
+    ]
+    known += [
+        equal(v, context.story.write(context.polynomial(f"{name}y"), context.number))
+        for v, name in ((Call("Im", (V1,)), "V1"), (Call("Im", (V2,)), "V2"))
+    ]
+    size = Symbol(
+        r"\lvert V_1 \rvert^2 \lvert R_1 V_2 - R_2 V_1 \rvert^2", "|V₁|² |R₁ V₂ − R₂ V₁|²"
+    )
+    apart = Symbol(r"\operatorname{Im}(V_1 \overline{V_2})^2", "Im(V₁ V̄₂)²")
+    condition = equal(size, times(apart, add(square(P1), square(Q1))))
+    return [
+        paragraph(text, *vectors, same),
+        display(*known),
+        paragraph("The size of that vector does not depend on {}, and gives", theta(gone)),
+        display(condition),
+    ]
+
+
+def _by_cramer() -> Formula:
     return equal(
         add(
             square(subtract(times(Q1, R2), times(Q2, R1))),

@@ -1,0 +1,86 @@
+"""Three concurrent or parallel axes anywhere, slides among the others: all solutions, at most 8."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.derivation import derive
+from dhgen.program.interpret import interpret
+from dhgen.program.lower import lower
+from dhgen.robot.load import load
+from dhgen.survey.oracle.newton import all_solutions
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+POSES = 3
+
+
+def structured_arm(kind: str, first: int, slide: int | None) -> str:
+    """A standard table of six joints; axes first to first + 2 are concurrent or parallel.
+
+    All other lengths and twists are arbitrary.
+    """
+    draw = random.Random(7 * first + len(kind) + (slide or 0))  # noqa: S311 - arms, not secrets
+    rows = []
+    for joint in range(1, 7):
+        a, d = (round(draw.uniform(0.1, 0.6), 3) for _ in range(2))
+        alpha = f"{draw.choice([-1, 1]) * draw.randint(25, 155)} deg"
+        if kind == "concurrent":
+            a = 0.0 if joint in {first, first + 1} else a
+            d = 0.0 if joint == first + 1 else d
+        elif joint in {first, first + 1}:
+            alpha = "0"
+        if joint == slide:
+            rows.append(f"{{theta: 0.7, d: q, a: {a}, alpha: {alpha}, limits: [-1, 1]}}")
+        else:
+            rows.append(f"{{theta: q, d: {d}, a: {a}, alpha: {alpha}}}")
+    lines = "\n".join(f"  - {row}" for row in rows)
+    return f"name: arm\nsource: made up\nconvention: standard\njoints:\n{lines}\n"
+
+
+@pytest.mark.parametrize(
+    ("kind", "first", "slide"),
+    [
+        ("concurrent", 1, None),
+        ("concurrent", 2, None),
+        ("concurrent", 3, None),
+        ("concurrent", 4, None),
+        ("parallel", 1, None),
+        ("parallel", 2, None),
+        ("parallel", 3, None),
+        ("parallel", 4, None),
+        ("concurrent", 1, 4),
+        ("concurrent", 2, 6),
+        ("concurrent", 4, 1),
+        ("parallel", 3, 2),
+    ],
+)
+def test_every_solution_is_found(tmp_path: Path, kind: str, first: int, slide: int | None) -> None:
+    path = tmp_path / "arm.yaml"
+    path.write_text(structured_arm(kind, first, slide), encoding="utf-8")
+    robot = load(path)
+    chain = build_chain(robot)
+    derivation = derive(chain)
+    assert derivation.general is None
+    assert derivation.branches <= 8
+    arm = numeric_arm(chain)
+    q = np.random.default_rng(first).uniform(-2.8, 2.8, (POSES, 6))
+    poses = arm.pose(q)
+    rows = interpret(lower(derivation), poses)
+    for number, pose in enumerate(poses):
+        found = rows.q[number][rows.solved[number]]
+        expected = all_solutions(robot, pose)
+        assert len(found) == len(expected)
+        for solution in expected:
+            apart = np.abs((found - solution + np.pi) % (2.0 * np.pi) - np.pi)
+            assert apart.max(axis=1).min() < 1e-6
+        np.testing.assert_allclose(
+            arm.pose(found), np.broadcast_to(pose, (len(found), 4, 4)), atol=1e-11
+        )
