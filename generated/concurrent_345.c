@@ -424,128 +424,121 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1 */
+    /* theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1 */
     const double v1 = T31 * k8 + (T33 * k8 + (k10 - 8.0 * T34));
     const double R1_6 = k2 * v1;
     const double v2 = T31 * k11 + d5 * (sqrt3 * T32);
     const double R1c6 = v2 * k12;
     const double v3 = T31 * k13 - 2.0 * (T32 * a5);
     const double R1s6 = k12 * v3;
-    const double v4 = T11 * (8.0 * (a6 * T14)) + (T13 * (4.0 * (k9 * T14)) + (T21 * (8.0 * (a6 *
-        T24)) + (T23 * (4.0 * (k9 * T24)) + (T31 * (8.0 * (T34 * a6)) + (T33 * (4.0 * (T34 * k9)) +
-        (k15 - T34 * (4.0 * T34))) - T24 * (4.0 * T24))) - T14 * (4.0 * T14)));
-    const double R2_6 = k4 * v4;
-    const double v5 = 2.0 * (a5 * T14);
-    const double v6 = d5 * (sqrt3 * T14);
-    const double v7 = 2.0 * (a5 * T24);
-    const double v8 = d5 * (sqrt3 * T24);
-    const double v9 = 2.0 * (T34 * a5);
-    const double v10 = d5 * (sqrt3 * T34);
-    const double R2c6 = T11 * v5 + (T12 * v6 + (T21 * v7 + (T22 * v8 + (T31 * v9 + (T32 * v10 -
-        k16)))));
-    const double R2s6 = T11 * v6 - (T12 * v5 + (T22 * v7 + (T32 * v9 + k17 - T31 * v10) - T21 *
-        v8));
-    const double v11 = k6 * R2_6 - k7 * R1_6;
-    const double v12 = k6 * R2c6 - k7 * R1c6;
-    const double v13 = k6 * R2s6 - k7 * R1s6;
-    const double v14 = k3 * R2_6 - k5 * R1_6;
-    const double v15 = k3 * R2c6 - k5 * R1c6;
-    const double v16 = k3 * R2s6 - k5 * R1s6;
+    const double v4 = T14 * T11 + T24 * T21 + T31 * T34;
+    const double v5 = T14 * T12 + T24 * T22 + T32 * T34;
+    const double v6 = T14 * T13 + T24 * T23 + T33 * T34;
+    const double v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k9 - v6)) + k15) - v4 * (4.0 * (k9 - v4));
+    const double R2_6 = k4 * -v7;
+    const double v8 = k16 - k13 * v5 - k11 * v4;
+    const double v9 = k11 * v5 + k17 - k13 * v4;
+    const double v10 = k6 * R2_6 - k7 * R1_6;
+    const double v11 = k6 * -v8 - k7 * R1c6;
+    const double v12 = k6 * -v9 - k7 * R1s6;
+    const double v13 = k3 * R2_6 - k5 * R1_6;
+    const double v14 = k3 * -v8 - k5 * R1c6;
+    const double v15 = k3 * -v9 - k5 * R1s6;
+    const double v16 = v11 * v11;
     const double v17 = v12 * v12;
-    const double v18 = v13 * v13;
-    const double v19 = 2.0 * v11;
+    const double v18 = 2.0 * v10;
+    const double v19 = v14 * v14;
     const double v20 = v15 * v15;
-    const double v21 = v16 * v16;
-    const double v22 = 2.0 * v14;
+    const double v21 = 2.0 * v13;
     double x6_roots[4];
-    circle_roots(v11 * v11 + k12 * (v17 + v18) + (v14 * v14 + k12 * (v20 + v21)) - k18, v12 * v19 +
-        v15 * v22, v13 * v19 + v16 * v22, k12 * (v17 - v18) + k12 * (v20 - v21), v12 * v13 + v15 *
-        v16, x6_roots);
+    circle_roots(v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18, v11 * v18 +
+        v14 * v21, v12 * v18 + v15 * v21, k12 * (v16 - v17) + k12 * (v19 - v20), v11 * v12 + v14 *
+        v15, x6_roots);
 
-    /* theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1 */
-    const double v23 = 4.0 * v2;
-    const double v24 = 4.0 * v3;
-    const double v26 = 4.0 * R2c6;
-    const double v27 = 4.0 * R2s6;
+    /* theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1 */
+    const double v22 = 4.0 * v2;
+    const double v23 = 4.0 * v3;
+    const double v25 = 4.0 * v8;
+    const double v26 = 4.0 * v9;
 
     /* theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4] */
-    const double v29 = sqrt3 * T22;
-    const double v30 = k11 * T21 + d5 * v29;
-    const double v31 = k13 * T21 - 2.0 * (a5 * T22);
-    const double v32 = k9 * T21 + (k9 * T23 - 2.0 * T24);
-    const double v34 = sqrt3 * T12;
-    const double v35 = k11 * T11 + d5 * v34;
-    const double v36 = k13 * T11 - 2.0 * (a5 * T12);
-    const double v37 = k9 * T11 + (k9 * T13 - 2.0 * T14);
+    const double v27 = sqrt3 * T22;
+    const double v28 = k11 * T21 + d5 * v27;
+    const double v29 = k13 * T21 - 2.0 * (a5 * T22);
+    const double v30 = k9 * T21 + (k9 * T23 - 2.0 * T24);
+    const double v32 = sqrt3 * T12;
+    const double v33 = k11 * T11 + d5 * v32;
+    const double v34 = k13 * T11 - 2.0 * (a5 * T12);
+    const double v35 = k9 * T11 + (k9 * T13 - 2.0 * T14);
 
     /* theta3, type 2: U3 (A5 A6)^-1 [3, 3] */
-    const double v40 = sqrt3 * T11;
-    const double v41 = T22 * k25;
-    const double v42 = T21 * k25;
-    const double v43 = T23 * k21;
-    const double v44 = sqrt3 * T21;
-    const double v45 = T12 * k25;
-    const double v46 = T11 * k25;
-    const double v47 = T13 * k21;
-    const double v48 = T32 * k26;
-    const double v49 = T31 * k26;
-    const double v50 = k1 * T33;
-    const double v52 = 3.0 * (T22 * k21);
-    const double v53 = 3.0 * (T21 * k21);
-    const double v54 = T23 * k25;
-    const double v55 = 3.0 * T12;
-    const double v56 = 3.0 * T11;
-    const double v57 = sqrt3 * T13;
-    const double v58 = T22 * k26;
-    const double v59 = T21 * k26;
-    const double v60 = k1 * T23;
-    const double v61 = 3.0 * (T12 * k21);
-    const double v62 = 3.0 * (T11 * k21);
-    const double v63 = T13 * k25;
-    const double v64 = 3.0 * T22;
-    const double v65 = 3.0 * T21;
-    const double v66 = sqrt3 * T23;
-    const double v67 = T12 * k26;
-    const double v68 = T11 * k26;
-    const double v69 = k1 * T13;
-    const double v70 = 3.0 * (k1 * T32);
-    const double v71 = 3.0 * (k1 * T31);
-    const double v72 = T33 * k26;
-    const double v73 = T32 * k25;
-    const double v74 = T31 * k25;
-    const double v75 = T33 * k21;
+    const double v38 = sqrt3 * T11;
+    const double v39 = T22 * k25;
+    const double v40 = T21 * k25;
+    const double v41 = T23 * k21;
+    const double v42 = sqrt3 * T21;
+    const double v43 = T12 * k25;
+    const double v44 = T11 * k25;
+    const double v45 = T13 * k21;
+    const double v46 = T32 * k26;
+    const double v47 = T31 * k26;
+    const double v48 = k1 * T33;
+    const double v50 = 3.0 * (T22 * k21);
+    const double v51 = 3.0 * (T21 * k21);
+    const double v52 = T23 * k25;
+    const double v53 = 3.0 * T12;
+    const double v54 = 3.0 * T11;
+    const double v55 = sqrt3 * T13;
+    const double v56 = T22 * k26;
+    const double v57 = T21 * k26;
+    const double v58 = k1 * T23;
+    const double v59 = 3.0 * (T12 * k21);
+    const double v60 = 3.0 * (T11 * k21);
+    const double v61 = T13 * k25;
+    const double v62 = 3.0 * T22;
+    const double v63 = 3.0 * T21;
+    const double v64 = sqrt3 * T23;
+    const double v65 = T12 * k26;
+    const double v66 = T11 * k26;
+    const double v67 = k1 * T13;
+    const double v68 = 3.0 * (k1 * T32);
+    const double v69 = 3.0 * (k1 * T31);
+    const double v70 = T33 * k26;
+    const double v71 = T32 * k25;
+    const double v72 = T31 * k25;
+    const double v73 = T33 * k21;
 
     /* theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4] */
-    const double v76 = sqrt2 * v54;
-    const double v77 = 4.0 * v57;
-    const double v78 = sqrt2 * v60;
-    const double v79 = sqrt2 * v63;
-    const double v80 = 4.0 * v66;
-    const double v81 = sqrt2 * v69;
-    const double v83 = 4.0 * T13;
-    const double v84 = sqrt2 * v43;
-    const double v85 = 4.0 * T23;
-    const double v86 = sqrt2 * v47;
+    const double v74 = sqrt2 * v52;
+    const double v75 = 4.0 * v55;
+    const double v76 = sqrt2 * v58;
+    const double v77 = sqrt2 * v61;
+    const double v78 = 4.0 * v64;
+    const double v79 = sqrt2 * v67;
+    const double v81 = 4.0 * T13;
+    const double v82 = sqrt2 * v41;
+    const double v83 = 4.0 * T23;
+    const double v84 = sqrt2 * v45;
     const double wx = T14 - a6 * T11 - d6 * T13;
     const double wy = T24 - a6 * T21 - d6 * T23;
     const double wz = T34 - T31 * a6 - T33 * d6;
-    const double v88 = sqrt2 * (k25 * wy);
-    const double v89 = 4.0 * (sqrt3 * wx);
-    const double v90 = sqrt2 * (k1 * wy);
-    const double v91 = sqrt2 * (k25 * wx);
-    const double v92 = 4.0 * (sqrt3 * wy);
-    const double v93 = sqrt2 * (k1 * wx);
-    const double v94 = sqrt2 * (k26 * wz - k28);
-    const double v95 = wz * k30 - k31;
-    const double v97 = 4.0 * wx;
-    const double v98 = sqrt2 * (k21 * wy);
-    const double v99 = 4.0 * wy;
-    const double v100 = sqrt2 * (k21 * wx);
-    const double v101 = sqrt2 * (k1 * wz - k33);
+    const double v86 = sqrt2 * (k25 * wy);
+    const double v87 = 4.0 * (sqrt3 * wx);
+    const double v88 = sqrt2 * (k1 * wy);
+    const double v89 = sqrt2 * (k25 * wx);
+    const double v90 = 4.0 * (sqrt3 * wy);
+    const double v91 = sqrt2 * (k1 * wx);
+    const double v92 = sqrt2 * (k26 * wz - k28);
+    const double v93 = wz * k30 - k31;
+    const double v95 = 4.0 * wx;
+    const double v96 = sqrt2 * (k21 * wy);
+    const double v97 = 4.0 * wy;
+    const double v98 = sqrt2 * (k21 * wx);
+    const double v99 = sqrt2 * (k1 * wz - k33);
 
     /* theta4, type 3: U3[2, 3] and U3[1, 3] */
-    const double v105 = sqrt2 * (T23 * k26);
-    const double v106 = sqrt2 * (T13 * k26);
+    const double v103 = sqrt2 * (T23 * k26);
+    const double v104 = sqrt2 * (T13 * k26);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x6 = x6_roots[i1];
@@ -555,78 +548,78 @@ static void solve(
         const double s6 = sin(x6);
 
         /* theta2 */
-        const double v25 = k2 * (v1 + (c6 * v23 + s6 * v24));
-        const double v28 = k4 * (v4 + (c6 * v26 + s6 * v27));
-        const double s2 = (k5 * v25 - k3 * v28) * k19;
-        const double c2 = (k7 * v25 - k6 * v28) * k19;
+        const double v24 = k2 * (v1 + (c6 * v22 + s6 * v23));
+        const double Z2_2 = k4 * (v7 + (c6 * v25 + s6 * v26));
+        const double s2 = (k5 * v24 + k3 * Z2_2) * k19;
+        const double c2 = (k6 * Z2_2 + k7 * v24) * k19;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
         const double X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2));
         const double X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24));
-        const double v33 = k12 * (c6 * v30 + s6 * v31 + v32);
-        const double v38 = k12 * (c6 * v35 + s6 * v36 + v37);
-        const double v39 = X1_1 * v33 + X2_1 * v38;
-        const double C1 = X2_1 * v33 - X1_1 * v38;
-        const double w1 = sqrt(v39 * v39 + C1 * C1);
+        const double v31 = k12 * (c6 * v28 + s6 * v29 + v30);
+        const double v36 = k12 * (c6 * v33 + s6 * v34 + v35);
+        const double v37 = X1_1 * v31 + X2_1 * v36;
+        const double C1 = X2_1 * v31 - X1_1 * v36;
+        const double w1 = sqrt(v37 * v37 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
         const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : -(v39 * factor1);
+        const double s1 = free1 ? sin(seed[0]) : -(v37 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v51 = k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v34 + s6 * v40))) - s2 * (sqrt2 *
-            (c6 * v41 + s6 * v42 - v43))) + s1 * (c2 * (4.0 * (T23 + (c6 * v29 + s6 * v44))) + s2 *
-            (sqrt2 * (c6 * v45 + s6 * v46 - v47))) + sqrt2 * (s2 * (c6 * v48 + s6 * v49 + v50)));
-        const double Y3 = k14 * (sqrt2 * (c2 * (c6 * v70 + s6 * v71 + v72) + (v75 - (c6 * v73 + s6 *
-            v74))) - (c1 * (s2 * (4.0 * (c6 * v55 + s6 * v56 + v57)) - c2 * (sqrt2 * (c6 * v52 + s6
-            * v53 - v54)) + sqrt2 * (c6 * v58 + s6 * v59 + v60)) + s1 * (c2 * (sqrt2 * (c6 * v61 +
-            s6 * v62 - v63)) + s2 * (4.0 * (c6 * v64 + s6 * v65 + v66)) - sqrt2 * (c6 * v67 + s6 *
-            v68 + v69))));
-        const double w3 = sqrt(v51 * v51 + Y3 * Y3);
+        const double v49 = k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v32 + s6 * v38))) - s2 * (sqrt2 *
+            (c6 * v39 + s6 * v40 - v41))) + s1 * (c2 * (4.0 * (T23 + (c6 * v27 + s6 * v42))) + s2 *
+            (sqrt2 * (c6 * v43 + s6 * v44 - v45))) + sqrt2 * (s2 * (c6 * v46 + s6 * v47 + v48)));
+        const double Y3 = k14 * (sqrt2 * (c2 * (c6 * v68 + s6 * v69 + v70) + (v73 - (c6 * v71 + s6 *
+            v72))) - (c1 * (s2 * (4.0 * (c6 * v53 + s6 * v54 + v55)) - c2 * (sqrt2 * (c6 * v50 + s6
+            * v51 - v52)) + sqrt2 * (c6 * v56 + s6 * v57 + v58)) + s1 * (c2 * (sqrt2 * (c6 * v59 +
+            s6 * v60 - v61)) + s2 * (4.0 * (c6 * v62 + s6 * v63 + v64)) - sqrt2 * (c6 * v65 + s6 *
+            v66 + v67))));
+        const double w3 = sqrt(v49 * v49 + Y3 * Y3);
         const int free3 = w3 <= free_limit;
         const double divisor3 = free3 ? 1.0 : w3;
 
         /* theta5 */
-        const double v82 = c1 * (c2 * v76 + s2 * v77 + v78) - s1 * (c2 * v79 - s2 * v80 + v81) -
+        const double v80 = c1 * (c2 * v74 + s2 * v75 + v76) - s1 * (c2 * v77 - s2 * v78 + v79) -
             sqrt2 * (T33 * (k21 + c2 * k26));
-        const double v87 = 2.0 * (c1 * (c2 * v83 + s2 * v84) + s1 * (c2 * v85 - s2 * v86) + sqrt2 *
-            (s2 * v50));
-        const double v96 = c1 * (c2 * v88 + s2 * v89 + v90) - s1 * (c2 * v91 - s2 * v92 + v93) - (c2
-            * v94 + s2 * k29 + v95);
-        const double v102 = 2.0 * (c1 * (c2 * v97 + s2 * v98) + s1 * (c2 * v99 - s2 * v100) + (s2 *
-            v101 - c2 * k32 - k34));
+        const double v85 = 2.0 * (c1 * (c2 * v81 + s2 * v82) + s1 * (c2 * v83 - s2 * v84) + sqrt2 *
+            (s2 * v48));
+        const double v94 = c1 * (c2 * v86 + s2 * v87 + v88) - s1 * (c2 * v89 - s2 * v90 + v91) - (c2
+            * v92 + s2 * k29 + v93);
+        const double v100 = 2.0 * (c1 * (c2 * v95 + s2 * v96) + s1 * (c2 * v97 - s2 * v98) + (s2 *
+            v99 - c2 * k32 - k34));
 
         /* theta4 */
-        const double Z1_4 = k2 * (c1 * (s2 * v83 - c2 * v84 - v105) + s1 * (c2 * v86 + s2 * v85 +
-            v106) - sqrt2 * (T33 * (k25 + k1 * c2)));
-        const double v108 = k12 * Z1_4;
+        const double Z1_4 = k2 * (c1 * (s2 * v81 - c2 * v82 - v103) + s1 * (c2 * v84 + s2 * v83 +
+            v104) - sqrt2 * (T33 * (k25 + k1 * c2)));
+        const double v106 = k12 * Z1_4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && free3) continue; /* both signs give the same */
             const double factor3 = e2 / divisor3;
-            const double c3 = free3 ? cos(seed[2]) : v51 * factor3;
+            const double c3 = free3 ? cos(seed[2]) : v49 * factor3;
             const double s3 = free3 ? sin(seed[2]) : Y3 * factor3;
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
-            const double v103 = k27 * (k2 * (c3 * v96 + s3 * v102)) * k35;
-            const double c5 = a5 * (k2 * (c3 * v82 + s3 * v87)) * k35;
-            const double q5 = atan2(-v103, c5);
+            const double v101 = k27 * (k2 * (c3 * v94 + s3 * v100)) * k35;
+            const double c5 = a5 * (k2 * (c3 * v80 + s3 * v85)) * k35;
+            const double q5 = atan2(-v101, c5);
 
             /* theta4 */
-            const double v104 = k12 * (sqrt3 * v103);
-            const double Z2_4 = k2 * (c3 * v87 + s3 * -v82);
-            const double v107 = v104 * Z1_4 + k12 * Z2_4;
-            const double C4 = v108 - v104 * Z2_4;
-            const double w4 = sqrt(v107 * v107 + C4 * C4);
+            const double v102 = k12 * (sqrt3 * v101);
+            const double Z2_4 = k2 * (c3 * v85 + s3 * -v80);
+            const double v105 = v102 * Z1_4 + k12 * Z2_4;
+            const double C4 = v106 - v102 * Z2_4;
+            const double w4 = sqrt(v105 * v105 + C4 * C4);
             const int free4 = w4 <= free_limit_squared;
             const double factor4 = 1.0 / (free4 ? 1.0 : w4);
             const double c4 = free4 ? cos(seed[3]) : C4 * factor4;
-            const double s4 = free4 ? sin(seed[3]) : -(v107 * factor4);
+            const double s4 = free4 ? sin(seed[3]) : -(v105 * factor4);
             const double q4 = atan2(s4, c4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1;

@@ -488,127 +488,120 @@ def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1
+    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
     v1 = T31 * k8 + (T33 * k8 + (k10 - 8.0 * T34))
     R1_6 = k2 * v1
     v2 = T31 * k11 + d5 * (sqrt3 * T32)
     R1c6 = v2 * k12
     v3 = T31 * k13 - 2.0 * (T32 * a5)
     R1s6 = k12 * v3
-    v4 = (
-        T11 * (8.0 * (a6 * T14)) + (T13 * (4.0 * (k9 * T14)) + (T21 * (8.0 * (a6 * T24)) + (T23 *
-        (4.0 * (k9 * T24)) + (T31 * (8.0 * (T34 * a6)) + (T33 * (4.0 * (T34 * k9)) + (k15 - T34 *
-        (4.0 * T34))) - T24 * (4.0 * T24))) - T14 * (4.0 * T14)))
-    )
-    R2_6 = k4 * v4
-    v5 = 2.0 * (a5 * T14)
-    v6 = d5 * (sqrt3 * T14)
-    v7 = 2.0 * (a5 * T24)
-    v8 = d5 * (sqrt3 * T24)
-    v9 = 2.0 * (T34 * a5)
-    v10 = d5 * (sqrt3 * T34)
-    R2c6 = T11 * v5 + (T12 * v6 + (T21 * v7 + (T22 * v8 + (T31 * v9 + (T32 * v10 - k16)))))
-    R2s6 = T11 * v6 - (T12 * v5 + (T22 * v7 + (T32 * v9 + k17 - T31 * v10) - T21 * v8))
-    v11 = k6 * R2_6 - k7 * R1_6
-    v12 = k6 * R2c6 - k7 * R1c6
-    v13 = k6 * R2s6 - k7 * R1s6
-    v14 = k3 * R2_6 - k5 * R1_6
-    v15 = k3 * R2c6 - k5 * R1c6
-    v16 = k3 * R2s6 - k5 * R1s6
+    v4 = T14 * T11 + T24 * T21 + T31 * T34
+    v5 = T14 * T12 + T24 * T22 + T32 * T34
+    v6 = T14 * T13 + T24 * T23 + T33 * T34
+    v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k9 - v6)) + k15) - v4 * (4.0 * (k9 - v4))
+    R2_6 = k4 * -v7
+    v8 = k16 - k13 * v5 - k11 * v4
+    v9 = k11 * v5 + k17 - k13 * v4
+    v10 = k6 * R2_6 - k7 * R1_6
+    v11 = k6 * -v8 - k7 * R1c6
+    v12 = k6 * -v9 - k7 * R1s6
+    v13 = k3 * R2_6 - k5 * R1_6
+    v14 = k3 * -v8 - k5 * R1c6
+    v15 = k3 * -v9 - k5 * R1s6
+    v16 = v11 * v11
     v17 = v12 * v12
-    v18 = v13 * v13
-    v19 = 2.0 * v11
+    v18 = 2.0 * v10
+    v19 = v14 * v14
     v20 = v15 * v15
-    v21 = v16 * v16
-    v22 = 2.0 * v14
-    x6_roots = _circle_roots(v11 * v11 + k12 * (v17 + v18) + (v14 * v14 + k12 * (v20 + v21)) - k18,
-        v12 * v19 + v15 * v22, v13 * v19 + v16 * v22, k12 * (v17 - v18) + k12 * (v20 - v21), v12 *
-        v13 + v15 * v16)
+    v21 = 2.0 * v13
+    x6_roots = _circle_roots(v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18,
+        v11 * v18 + v14 * v21, v12 * v18 + v15 * v21, k12 * (v16 - v17) + k12 * (v19 - v20), v11 *
+        v12 + v14 * v15)
 
-    # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of U0 (A5 A6)^-1
-    v23 = 4.0 * v2
-    v24 = 4.0 * v3
-    v26 = 4.0 * R2c6
-    v27 = 4.0 * R2s6
+    # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
+    v22 = 4.0 * v2
+    v23 = 4.0 * v3
+    v25 = 4.0 * v8
+    v26 = 4.0 * v9
 
     # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
-    v29 = sqrt3 * T22
-    v30 = k11 * T21 + d5 * v29
-    v31 = k13 * T21 - 2.0 * (a5 * T22)
-    v32 = k9 * T21 + (k9 * T23 - 2.0 * T24)
-    v34 = sqrt3 * T12
-    v35 = k11 * T11 + d5 * v34
-    v36 = k13 * T11 - 2.0 * (a5 * T12)
-    v37 = k9 * T11 + (k9 * T13 - 2.0 * T14)
+    v27 = sqrt3 * T22
+    v28 = k11 * T21 + d5 * v27
+    v29 = k13 * T21 - 2.0 * (a5 * T22)
+    v30 = k9 * T21 + (k9 * T23 - 2.0 * T24)
+    v32 = sqrt3 * T12
+    v33 = k11 * T11 + d5 * v32
+    v34 = k13 * T11 - 2.0 * (a5 * T12)
+    v35 = k9 * T11 + (k9 * T13 - 2.0 * T14)
 
     # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
-    v40 = sqrt3 * T11
-    v41 = T22 * k25
-    v42 = T21 * k25
-    v43 = T23 * k21
-    v44 = sqrt3 * T21
-    v45 = T12 * k25
-    v46 = T11 * k25
-    v47 = T13 * k21
-    v48 = T32 * k26
-    v49 = T31 * k26
-    v50 = k1 * T33
-    v52 = 3.0 * (T22 * k21)
-    v53 = 3.0 * (T21 * k21)
-    v54 = T23 * k25
-    v55 = 3.0 * T12
-    v56 = 3.0 * T11
-    v57 = sqrt3 * T13
-    v58 = T22 * k26
-    v59 = T21 * k26
-    v60 = k1 * T23
-    v61 = 3.0 * (T12 * k21)
-    v62 = 3.0 * (T11 * k21)
-    v63 = T13 * k25
-    v64 = 3.0 * T22
-    v65 = 3.0 * T21
-    v66 = sqrt3 * T23
-    v67 = T12 * k26
-    v68 = T11 * k26
-    v69 = k1 * T13
-    v70 = 3.0 * (k1 * T32)
-    v71 = 3.0 * (k1 * T31)
-    v72 = T33 * k26
-    v73 = T32 * k25
-    v74 = T31 * k25
-    v75 = T33 * k21
+    v38 = sqrt3 * T11
+    v39 = T22 * k25
+    v40 = T21 * k25
+    v41 = T23 * k21
+    v42 = sqrt3 * T21
+    v43 = T12 * k25
+    v44 = T11 * k25
+    v45 = T13 * k21
+    v46 = T32 * k26
+    v47 = T31 * k26
+    v48 = k1 * T33
+    v50 = 3.0 * (T22 * k21)
+    v51 = 3.0 * (T21 * k21)
+    v52 = T23 * k25
+    v53 = 3.0 * T12
+    v54 = 3.0 * T11
+    v55 = sqrt3 * T13
+    v56 = T22 * k26
+    v57 = T21 * k26
+    v58 = k1 * T23
+    v59 = 3.0 * (T12 * k21)
+    v60 = 3.0 * (T11 * k21)
+    v61 = T13 * k25
+    v62 = 3.0 * T22
+    v63 = 3.0 * T21
+    v64 = sqrt3 * T23
+    v65 = T12 * k26
+    v66 = T11 * k26
+    v67 = k1 * T13
+    v68 = 3.0 * (k1 * T32)
+    v69 = 3.0 * (k1 * T31)
+    v70 = T33 * k26
+    v71 = T32 * k25
+    v72 = T31 * k25
+    v73 = T33 * k21
 
     # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
-    v76 = sqrt2 * v54
-    v77 = 4.0 * v57
-    v78 = sqrt2 * v60
-    v79 = sqrt2 * v63
-    v80 = 4.0 * v66
-    v81 = sqrt2 * v69
-    v83 = 4.0 * T13
-    v84 = sqrt2 * v43
-    v85 = 4.0 * T23
-    v86 = sqrt2 * v47
+    v74 = sqrt2 * v52
+    v75 = 4.0 * v55
+    v76 = sqrt2 * v58
+    v77 = sqrt2 * v61
+    v78 = 4.0 * v64
+    v79 = sqrt2 * v67
+    v81 = 4.0 * T13
+    v82 = sqrt2 * v41
+    v83 = 4.0 * T23
+    v84 = sqrt2 * v45
     wx = T14 - a6 * T11 - d6 * T13
     wy = T24 - a6 * T21 - d6 * T23
     wz = T34 - T31 * a6 - T33 * d6
-    v88 = sqrt2 * (k25 * wy)
-    v89 = 4.0 * (sqrt3 * wx)
-    v90 = sqrt2 * (k1 * wy)
-    v91 = sqrt2 * (k25 * wx)
-    v92 = 4.0 * (sqrt3 * wy)
-    v93 = sqrt2 * (k1 * wx)
-    v94 = sqrt2 * (k26 * wz - k28)
-    v95 = wz * k30 - k31
-    v97 = 4.0 * wx
-    v98 = sqrt2 * (k21 * wy)
-    v99 = 4.0 * wy
-    v100 = sqrt2 * (k21 * wx)
-    v101 = sqrt2 * (k1 * wz - k33)
+    v86 = sqrt2 * (k25 * wy)
+    v87 = 4.0 * (sqrt3 * wx)
+    v88 = sqrt2 * (k1 * wy)
+    v89 = sqrt2 * (k25 * wx)
+    v90 = 4.0 * (sqrt3 * wy)
+    v91 = sqrt2 * (k1 * wx)
+    v92 = sqrt2 * (k26 * wz - k28)
+    v93 = wz * k30 - k31
+    v95 = 4.0 * wx
+    v96 = sqrt2 * (k21 * wy)
+    v97 = 4.0 * wy
+    v98 = sqrt2 * (k21 * wx)
+    v99 = sqrt2 * (k1 * wz - k33)
 
     # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v105 = sqrt2 * (T23 * k26)
-    v106 = sqrt2 * (T13 * k26)
+    v103 = sqrt2 * (T23 * k26)
+    v104 = sqrt2 * (T13 * k26)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
@@ -619,64 +612,64 @@ def _solve(pose, seed, q, status):
         s6 = math.sin(x6)
 
         # theta2
-        v25 = k2 * (v1 + (c6 * v23 + s6 * v24))
-        v28 = k4 * (v4 + (c6 * v26 + s6 * v27))
-        s2 = (k5 * v25 - k3 * v28) * k19
-        c2 = (k7 * v25 - k6 * v28) * k19
+        v24 = k2 * (v1 + (c6 * v22 + s6 * v23))
+        Z2_2 = k4 * (v7 + (c6 * v25 + s6 * v26))
+        s2 = (k5 * v24 + k3 * Z2_2) * k19
+        c2 = (k6 * Z2_2 + k7 * v24) * k19
         q2 = _atan2(s2, c2)
 
         # theta1
         X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2))
         X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24))
-        v33 = k12 * (c6 * v30 + s6 * v31 + v32)
-        v38 = k12 * (c6 * v35 + s6 * v36 + v37)
-        v39 = X1_1 * v33 + X2_1 * v38
-        C1 = X2_1 * v33 - X1_1 * v38
-        w1 = math.sqrt(v39 * v39 + C1 * C1)
+        v31 = k12 * (c6 * v28 + s6 * v29 + v30)
+        v36 = k12 * (c6 * v33 + s6 * v34 + v35)
+        v37 = X1_1 * v31 + X2_1 * v36
+        C1 = X2_1 * v31 - X1_1 * v36
+        w1 = math.sqrt(v37 * v37 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
         c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else -(v39 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(v37 * factor1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v51 = (
-            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v34 + s6 * v40))) - s2 * (sqrt2 * (c6 * v41 + s6 *
-            v42 - v43))) + s1 * (c2 * (4.0 * (T23 + (c6 * v29 + s6 * v44))) + s2 * (sqrt2 * (c6 *
-            v45 + s6 * v46 - v47))) + sqrt2 * (s2 * (c6 * v48 + s6 * v49 + v50)))
+        v49 = (
+            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v32 + s6 * v38))) - s2 * (sqrt2 * (c6 * v39 + s6 *
+            v40 - v41))) + s1 * (c2 * (4.0 * (T23 + (c6 * v27 + s6 * v42))) + s2 * (sqrt2 * (c6 *
+            v43 + s6 * v44 - v45))) + sqrt2 * (s2 * (c6 * v46 + s6 * v47 + v48)))
         )
         Y3 = (
-            k14 * (sqrt2 * (c2 * (c6 * v70 + s6 * v71 + v72) + (v75 - (c6 * v73 + s6 * v74))) - (c1
-            * (s2 * (4.0 * (c6 * v55 + s6 * v56 + v57)) - c2 * (sqrt2 * (c6 * v52 + s6 * v53 - v54))
-            + sqrt2 * (c6 * v58 + s6 * v59 + v60)) + s1 * (c2 * (sqrt2 * (c6 * v61 + s6 * v62 -
-            v63)) + s2 * (4.0 * (c6 * v64 + s6 * v65 + v66)) - sqrt2 * (c6 * v67 + s6 * v68 +
-            v69))))
+            k14 * (sqrt2 * (c2 * (c6 * v68 + s6 * v69 + v70) + (v73 - (c6 * v71 + s6 * v72))) - (c1
+            * (s2 * (4.0 * (c6 * v53 + s6 * v54 + v55)) - c2 * (sqrt2 * (c6 * v50 + s6 * v51 - v52))
+            + sqrt2 * (c6 * v56 + s6 * v57 + v58)) + s1 * (c2 * (sqrt2 * (c6 * v59 + s6 * v60 -
+            v61)) + s2 * (4.0 * (c6 * v62 + s6 * v63 + v64)) - sqrt2 * (c6 * v65 + s6 * v66 +
+            v67))))
         )
-        w3 = math.sqrt(v51 * v51 + Y3 * Y3)
+        w3 = math.sqrt(v49 * v49 + Y3 * Y3)
         free3 = w3 <= free_limit
         divisor3 = 1.0 if free3 else w3
 
         # theta5
-        v82 = (
-            c1 * (c2 * v76 + s2 * v77 + v78) - s1 * (c2 * v79 - s2 * v80 + v81) - sqrt2 * (T33 *
+        v80 = (
+            c1 * (c2 * v74 + s2 * v75 + v76) - s1 * (c2 * v77 - s2 * v78 + v79) - sqrt2 * (T33 *
             (k21 + c2 * k26))
         )
-        v87 = 2.0 * (c1 * (c2 * v83 + s2 * v84) + s1 * (c2 * v85 - s2 * v86) + sqrt2 * (s2 * v50))
-        v96 = (
-            c1 * (c2 * v88 + s2 * v89 + v90) - s1 * (c2 * v91 - s2 * v92 + v93) - (c2 * v94 + s2 *
-            k29 + v95)
+        v85 = 2.0 * (c1 * (c2 * v81 + s2 * v82) + s1 * (c2 * v83 - s2 * v84) + sqrt2 * (s2 * v48))
+        v94 = (
+            c1 * (c2 * v86 + s2 * v87 + v88) - s1 * (c2 * v89 - s2 * v90 + v91) - (c2 * v92 + s2 *
+            k29 + v93)
         )
-        v102 = (
-            2.0 * (c1 * (c2 * v97 + s2 * v98) + s1 * (c2 * v99 - s2 * v100) + (s2 * v101 - c2 * k32
-            - k34))
+        v100 = (
+            2.0 * (c1 * (c2 * v95 + s2 * v96) + s1 * (c2 * v97 - s2 * v98) + (s2 * v99 - c2 * k32 -
+            k34))
         )
 
         # theta4
         Z1_4 = (
-            k2 * (c1 * (s2 * v83 - c2 * v84 - v105) + s1 * (c2 * v86 + s2 * v85 + v106) - sqrt2 *
+            k2 * (c1 * (s2 * v81 - c2 * v82 - v103) + s1 * (c2 * v84 + s2 * v83 + v104) - sqrt2 *
             (T33 * (k25 + k1 * c2)))
         )
-        v108 = k12 * Z1_4
+        v106 = k12 * Z1_4
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -684,25 +677,25 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and free3:
                 continue  # both signs give the same
             factor3 = e2 / divisor3
-            c3 = math.cos(seed[2]) if free3 else v51 * factor3
+            c3 = math.cos(seed[2]) if free3 else v49 * factor3
             s3 = math.sin(seed[2]) if free3 else Y3 * factor3
             q3 = _atan2(s3, c3)
 
             # theta5
-            v103 = k27 * (k2 * (c3 * v96 + s3 * v102)) * k35
-            c5 = a5 * (k2 * (c3 * v82 + s3 * v87)) * k35
-            q5 = _atan2(-v103, c5)
+            v101 = k27 * (k2 * (c3 * v94 + s3 * v100)) * k35
+            c5 = a5 * (k2 * (c3 * v80 + s3 * v85)) * k35
+            q5 = _atan2(-v101, c5)
 
             # theta4
-            v104 = k12 * (sqrt3 * v103)
-            Z2_4 = k2 * (c3 * v87 + s3 * -v82)
-            v107 = v104 * Z1_4 + k12 * Z2_4
-            C4 = v108 - v104 * Z2_4
-            w4 = math.sqrt(v107 * v107 + C4 * C4)
+            v102 = k12 * (sqrt3 * v101)
+            Z2_4 = k2 * (c3 * v85 + s3 * -v80)
+            v105 = v102 * Z1_4 + k12 * Z2_4
+            C4 = v106 - v102 * Z2_4
+            w4 = math.sqrt(v105 * v105 + C4 * C4)
             free4 = w4 <= free_limit_squared
             factor4 = 1.0 / (1.0 if free4 else w4)
             c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v107 * factor4)
+            s4 = math.sin(seed[3]) if free4 else -(v105 * factor4)
             q4 = _atan2(s4, c4)
             row = 2 * i1 + i2
             q[row, 0] = q1
