@@ -68,7 +68,7 @@ def test_every_solution_is_found(tmp_path: Path, kind: str, first: int, slide: i
     robot = load(path)
     chain = build_chain(robot)
     derivation = derive(chain)
-    assert derivation.general is None
+    assert derivation.steps
     assert derivation.branches <= 8
     arm = numeric_arm(chain)
     q = np.random.default_rng(first).uniform(-2.8, 2.8, (POSES, 6))
