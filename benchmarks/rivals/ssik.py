@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from benchmarks.contestant import Run
     from dhgen.kinematics.numeric import Array
 
+GENERAL = "ikgeo.general_6r"
+
 
 def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     """One call of the module that `ssik build` writes, all solutions, limits left aside."""
@@ -41,10 +43,14 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
 
 
 def _built(manipulator: Any, name: str, folder: Path) -> Any:  # noqa: ANN401 - ssik's own types
-    path = folder / f"{name}_ssik.py"
+    path = folder / f"{name}_ssik_ik.py"
+    plan = manipulator.dispatch_plan
+    if plan.solver_name == GENERAL:  # its wheels carry this table for their arms; C++ needs it
+        table = folder / f"{name}_ssik_rr.npz"
+        imported("ssik._native").bake_rr_tensor_npz(manipulator.kinbody, str(table))
     imported("ssik.core.codegen").emit_artifact(
         kb=manipulator.kinbody,
-        plan=manipulator.dispatch_plan,
+        plan=plan,
         module_name=path.stem,
         output_path=str(path),
     )

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from benchmarks.contestant import AbsentError, Contestant, imported, timed, versioned
 from benchmarks.native import NATIVE, Interface, compiled
+from benchmarks.rivals.common_normals import standard_table
+from benchmarks.screws import screws
 from dhgen.robot.expression import evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind
 
@@ -17,8 +20,8 @@ if TYPE_CHECKING:
 
     from benchmarks.arms import Arm
     from benchmarks.contestant import Run
+    from benchmarks.rivals.common_normals import Link
     from dhgen.kinematics.numeric import Array
-    from dhgen.robot.robot import DhRow
 
 FLAGS = ("-std=gnu99", *NATIVE[1:])  # its C says M_PI_2, which C99 does not know
 SHIM = """
@@ -34,7 +37,8 @@ static int solve(const double *T, double *q)
 
 def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     """One call from Python, and the exported C."""
-    solver = _derived(arm)
+    table = _standard(arm)
+    solver = _derived(arm, table)
     tool = versioned("roboticstoolbox-python").replace("roboticstoolbox-python", "Robotics Toolbox")
 
     def answer(pose: Array) -> Array:
@@ -53,39 +57,87 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     source.write_text(solver.generate("c", f"{arm.case.name}_rtb"), encoding="utf-8")
     shim = SHIM.format(name=arm.case.name)
     native = compiled(source, Interface(shim, rows=64, dof=6), FLAGS, folder)
+
+    def bare(T: Array) -> Array:
+        """Its C knows neither base nor tool."""
+        return np.asarray(np.linalg.inv(table.base) @ T @ np.linalg.inv(table.tool))
+
     return [
         Contestant(tool, "one call from Python", lambda T: [answer(pose) for pose in T], one),
-        Contestant(tool, "exported C, one pose", native.solve, native.prepare),
+        Contestant(
+            tool,
+            "exported C, one pose",
+            lambda T: native.solve(bare(T)),
+            lambda T: native.prepare(bare(T)),
+        ),
     ]
 
 
-def _derived(arm: Arm) -> Any:  # noqa: ANN401 - a type of the Toolbox
-    """Its solver of the arm, from the table of the robot file."""
-    toolbox = imported("roboticstoolbox")
-    table = arm.robot.geometry
-    if not isinstance(table, DhTable) or table.convention is not Convention.STANDARD:
-        raise AbsentError("takes standard Denavit-Hartenberg tables only")
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """A standard table, every row with theta (or d) at q = 0, the sign of q, and its limits."""
+
+    base: Array
+    links: list[Link]
+    kinds: list[JointKind]
+    signs: list[int]
+    limits: list[tuple[float, float] | None]
+    tool: Array
+
+
+def _standard(arm: Arm) -> _Table:
+    """The arm's table.
+
+    Raises:
+        AbsentError: The arm is not what the Toolbox takes.
+    """
     if arm.dof != 6:
         raise AbsentError("takes six joints only")
+    kinds = [joint.kind for joint in arm.robot.joints]
+    limits = [joint.limits for joint in arm.robot.joints]
+    table = arm.robot.geometry
+    if not isinstance(table, DhTable):
+        base, links, tool = standard_table(screws(arm))
+        return _Table(base, links, kinds, [1] * len(links), limits, tool)
     values = {parameter.name: parameter.value for parameter in arm.robot.parameters}
+    cells = [
+        [evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha)]
+        for row in table.rows
+    ]
+    base, lengths = arm.model.base, [cell[2:] for cell in cells]
+    if table.convention is Convention.MODIFIED:  # a and alpha move to the row before
+        base = base @ _link_transform(*lengths[0])
+        lengths = [*lengths[1:], [0.0, 0.0]]
+    links = [
+        (theta, d, a, alpha) for (theta, d, *_), (a, alpha) in zip(cells, lengths, strict=True)
+    ]
+    signs = [row.sign for row in table.rows]
+    return _Table(base, links, kinds, signs, limits, arm.model.tool)
+
+
+def _link_transform(a: float, alpha: float) -> Array:
+    T = np.eye(4)
+    T[0, 3] = a
+    T[1:3, 1:3] = [[np.cos(alpha), -np.sin(alpha)], [np.sin(alpha), np.cos(alpha)]]
+    return T
+
+
+def _derived(arm: Arm, table: _Table) -> Any:  # noqa: ANN401 - a type of the Toolbox
+    """Its solver of the arm."""
+    toolbox, place = imported("roboticstoolbox"), imported("spatialmath").SE3
+    links = []
+    for (theta, d, a, alpha), kind, sign, limits in zip(
+        table.links, table.kinds, table.signs, table.limits, strict=True
+    ):
+        known = {"a": a, "alpha": alpha, "flip": sign < 0}
+        if kind is JointKind.PRISMATIC:  # it insists on limits, and is told not to mind them
+            given = {"theta": theta, "offset": d, "qlim": limits or (0.0, 1.0)}
+            links.append(toolbox.PrismaticDH(**known, **given))
+        else:
+            links.append(toolbox.RevoluteDH(**known, d=d, offset=theta))
     robot = toolbox.DHRobot(
-        [_link(toolbox, row, values) for row in table.rows],
-        name=arm.case.name,
-        base=_frame(arm.model.base),
-        tool=_frame(arm.model.tool),
+        links, name=arm.case.name, base=place(table.base), tool=place(table.tool)
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return robot.analytic_ik()
-
-
-def _link(toolbox: Any, row: DhRow, values: dict[str, float]) -> Any:  # noqa: ANN401
-    theta, d, a, alpha = (evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha))
-    if row.kind is JointKind.PRISMATIC:  # it insists on limits, and is told not to mind them
-        given = {"theta": theta, "offset": d, "qlim": row.limits or (0.0, 1.0)}
-        return toolbox.PrismaticDH(a=a, alpha=alpha, flip=row.sign < 0, **given)
-    return toolbox.RevoluteDH(d=d, a=a, alpha=alpha, offset=theta, flip=row.sign < 0)
-
-
-def _frame(T: Array) -> Any:  # noqa: ANN401 - a type of the Toolbox
-    return imported("spatialmath").SE3(T)
