@@ -37,7 +37,7 @@ static int solve(const double *T, double *q)
 
 def contestants(arm: Arm, folder: Path) -> list[Contestant]:
     """One call from Python, and the exported C."""
-    table = _standard(arm)
+    table = standard(arm)
     solver = _derived(arm, table)
     tool = versioned("roboticstoolbox-python").replace("roboticstoolbox-python", "Robotics Toolbox")
 
@@ -74,7 +74,7 @@ def contestants(arm: Arm, folder: Path) -> list[Contestant]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Table:
+class Table:
     """A standard table, every row with theta (or d) at q = 0, the sign of q, and its limits."""
 
     base: Array
@@ -85,7 +85,7 @@ class _Table:
     tool: Array
 
 
-def _standard(arm: Arm) -> _Table:
+def standard(arm: Arm) -> Table:
     """The arm's table.
 
     Raises:
@@ -98,7 +98,7 @@ def _standard(arm: Arm) -> _Table:
     table = arm.robot.geometry
     if not isinstance(table, DhTable):
         base, links, tool = standard_table(screws(arm))
-        return _Table(base, links, kinds, [1] * len(links), limits, tool)
+        return Table(base, links, kinds, [1] * len(links), limits, tool)
     values = {parameter.name: parameter.value for parameter in arm.robot.parameters}
     cells = [
         [evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha)]
@@ -112,7 +112,7 @@ def _standard(arm: Arm) -> _Table:
         (theta, d, a, alpha) for (theta, d, *_), (a, alpha) in zip(cells, lengths, strict=True)
     ]
     signs = [row.sign for row in table.rows]
-    return _Table(base, links, kinds, signs, limits, arm.model.tool)
+    return Table(base, links, kinds, signs, limits, arm.model.tool)
 
 
 def _link_transform(a: float, alpha: float) -> Array:
@@ -122,7 +122,7 @@ def _link_transform(a: float, alpha: float) -> Array:
     return T
 
 
-def _derived(arm: Arm, table: _Table) -> Any:  # noqa: ANN401 - a type of the Toolbox
+def _derived(arm: Arm, table: Table) -> Any:  # noqa: ANN401 - a type of the Toolbox
     """Its solver of the arm."""
     toolbox, place = imported("roboticstoolbox"), imported("spatialmath").SE3
     links = []

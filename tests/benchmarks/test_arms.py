@@ -10,7 +10,9 @@ import pytest
 from benchmarks.arms import CASES, Arm, Case, read_arm, robot_path
 from benchmarks.contestant import AbsentError
 from benchmarks.rivals import RIVALS, rivals
+from benchmarks.rivals.common_normals import standard_table
 from benchmarks.rivals.opw import AXES
+from benchmarks.rivals.toolbox import standard
 from benchmarks.screws import Screws, screws
 
 if TYPE_CHECKING:
@@ -52,6 +54,45 @@ def test_upright_is_upright(case: Case) -> None:
     frame = screws(read_arm(case), case.upright)
     assert np.allclose(np.abs(np.sum(frame.directions * AXES, axis=1)), 1.0)
     assert np.allclose(frame.points[3:, :2], frame.points[4, :2])
+
+
+def link(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
+    x, z = np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
+    turned, twisted = rotation(z, np.zeros(3), theta), rotation(x, np.zeros(3), alpha)
+    turned[2, 3], twisted[0, 3] = d, a
+    return np.asarray(turned @ twisted)
+
+
+@pytest.mark.parametrize("name", ["arm_6r", "ur5", "kuka_kr6_r900", "wrist_zyz", "planar_rrr"])
+def test_a_table_of_common_normals_is_the_arm(name: str) -> None:
+    """Axes that are parallel, that meet, that are skew."""
+    arm = read_arm(Case(name, ""))
+    base, rows, tool = standard_table(screws(arm))
+    for q in np.random.default_rng(4).uniform(-3, 3, (5, arm.dof)):
+        T = base
+        for value, (theta, d, a, alpha) in zip(q, rows, strict=True):
+            T = T @ link(theta + value, d, a, alpha)
+        np.testing.assert_allclose(T @ tool, arm.model.pose(q), atol=1e-13)
+
+
+@pytest.mark.parametrize("name", ["arm_6r", "rrprrr", "stanford", "kuka_kr6_r900", "puma"])
+def test_the_toolbox_is_told_of_the_same_arm(name: str) -> None:
+    """Standard and modified tables, and axes."""
+    arm = read_arm(Case(name, ""))
+    table = standard(arm)
+    for q in np.random.default_rng(4).uniform(-3, 3, (5, 6)):
+        T = table.base
+        for value, turns, sign, (theta, d, a, alpha) in zip(
+            q, arm.turning, table.signs, table.links, strict=True
+        ):
+            turned, slid = (sign * value, 0.0) if turns else (0.0, sign * value)
+            T = T @ link(theta + turned, d + slid, a, alpha)
+        np.testing.assert_allclose(T @ table.tool, arm.model.pose(q), atol=1e-13)
+
+
+def test_the_toolbox_takes_six_joints(scara: Arm) -> None:
+    with pytest.raises(AbsentError, match="six joints"):
+        standard(scara)
 
 
 @pytest.fixture(scope="module")
