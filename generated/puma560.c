@@ -33,6 +33,7 @@ static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
 static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.7925268041909272; /* lowest value of joint 1 */
 static const double high1 = 2.7925268041909272; /* highest value of joint 1 */
@@ -42,7 +43,10 @@ static const double low3 = -2.356194491192345; /* lowest value of joint 3 */
 static const double high3 = 2.356194491192345; /* highest value of joint 3 */
 static const double low5 = -1.7453292529943296; /* lowest value of joint 5 */
 static const double high5 = 1.7453292529943296; /* highest value of joint 5 */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 8.466269175855875e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const puma560_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -270,25 +274,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -322,25 +328,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #else
 #define LANES 1
@@ -355,25 +363,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #endif
 #endif
@@ -417,63 +427,70 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
+    const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = d3 * T14;
-    const wide v2 = d3 * T24;
-    const wide v3 = T14 * w1;
-    const wide c1_p = inverse1 * (v3 - v2);
-    const wide v4 = inverse1 * (v2 + v3);
-    const wide v5 = T24 * w1;
-    const wide s1_p = inverse1 * (v1 + v5);
-    const wide s1_m = inverse1 * (v1 - v5);
-    const wide q1__p = atan2_wide(s1_p, c1_p);
-    const wide q1__m = atan2_wide(s1_m, -v4);
+    const wide v2 = d3 * T14;
+    const wide v3 = d3 * T24;
+    const wide v4 = T14 * w1;
+    const wide v5 = v4 - v3;
+    const wide v6 = v3 + v4;
+    const wide c1_p = inverse1 * v5;
+    const wide v7 = inverse1 * v6;
+    const wide v8 = T24 * w1;
+    const wide v9 = v2 + v8;
+    const wide v10 = v2 - v8;
+    const wide s1_p = inverse1 * v9;
+    const wide s1_m = inverse1 * v10;
+    const wide angle1 = atan2_wide(v9, v5);
+    const wide angle1_ = atan2_wide(v10, -v6);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = D1 + Z1_3 * Z1_3;
     const wide K3 = N3 - k6;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = k4 * K3;
-    const wide v7 = k5 * w3;
-    const wide s3_p = k7 * (v7 - v6);
-    const wide v8 = k7 * (v6 + v7);
-    const wide v9 = k5 * K3;
-    const wide v10 = k4 * w3;
-    const wide c3_p = k7 * (v9 + v10);
-    const wide c3_m = k7 * (v9 - v10);
-    const wide q3_ppp = atan2_wide(s3_p, c3_p);
-    const wide q3_pmp = atan2_wide(-v8, c3_m);
+    const wide v11 = w3 - w3;
+    const wide v12 = k4 * K3;
+    const wide v13 = k5 * w3;
+    const wide s3_p = k7 * (v13 - v12);
+    const wide v14 = k7 * (v12 + v13);
+    const wide v15 = k5 * K3;
+    const wide v16 = k4 * w3;
+    const wide c3_p = k7 * (v15 + v16);
+    const wide c3_m = k7 * (v15 - v16);
+    const wide angle1__ = atan2_wide(w3, K3);
+    const wide q3__p = angle1__ - turn1;
+    const wide v17 = turn1 + angle1__;
 
     /* theta2 */
     const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v8);
+    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v14);
     const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v8;
-    const wide v11 = Z1_3 * X1_2_p;
-    const wide v12 = Z1_3 * X1_2_m;
-    const wide v13 = w1 * Y1_2_p;
-    const wide v14 = w1 * Y1_2_m;
-    const wide S2_pp = v11 - v13;
-    const wide S2_pm = v12 - v14;
-    const wide S2_mp = v11 + v13;
-    const wide S2_mm = v12 + v14;
-    const wide v15 = w1 * X1_2_p;
-    const wide v16 = w1 * X1_2_m;
-    const wide v17 = Z1_3 * Y1_2_p;
-    const wide v18 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v15 + v17;
-    const wide C2_pm = v16 + v18;
-    const wide C2_mp = v17 - v15;
-    const wide C2_mm = v18 - v16;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide Y1_2_m = d4 * c3_m - a3 * v14;
+    const wide v18 = Z1_3 * X1_2_p;
+    const wide v19 = Z1_3 * X1_2_m;
+    const wide v20 = w1 * Y1_2_p;
+    const wide v21 = w1 * Y1_2_m;
+    const wide S2_pp = v18 - v20;
+    const wide S2_pm = v19 - v21;
+    const wide S2_mp = v18 + v20;
+    const wide S2_mm = v19 + v21;
+    const wide v22 = w1 * X1_2_p;
+    const wide v23 = w1 * X1_2_m;
+    const wide v24 = Z1_3 * Y1_2_p;
+    const wide v25 = Z1_3 * Y1_2_m;
+    const wide C2_pp = v22 + v24;
+    const wide C2_pm = v23 + v25;
+    const wide C2_mp = v24 - v22;
+    const wide C2_mm = v25 - v23;
+    const wide v26 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v27 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v28 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v29 = S2_mm * S2_mm + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v26);
+    const wide factor2_pm = 1.0 / sqrt_wide(v27);
+    const wide factor2_mp = 1.0 / sqrt_wide(v28);
+    const wide factor2_mm = 1.0 / sqrt_wide(v29);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
@@ -482,165 +499,166 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
     const wide s2_mm = S2_mm * factor2_mm;
-    const wide q2_ppp = atan2_wide(s2_pp, c2_pp);
-    const wide q2_pmp = atan2_wide(s2_pm, c2_pm);
-    const wide q2_mpp = atan2_wide(s2_mp, c2_mp);
-    const wide q2_mmp = atan2_wide(s2_mm, c2_mm);
+    const wide angle1___ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1____ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1_____ = atan2_wide(S2_mp, C2_mp);
+    const wide angle1______ = atan2_wide(S2_mm, C2_mm);
 
     /* theta4 */
     const wide c23_pp = c3_p * c2_pp - s3_p * s2_pp;
-    const wide c23_pm = c3_m * c2_pm + v8 * s2_pm;
+    const wide c23_pm = c3_m * c2_pm + v14 * s2_pm;
     const wide c23_mp = c3_p * c2_mp - s3_p * s2_mp;
-    const wide c23_mm = c3_m * c2_mm + v8 * s2_mm;
+    const wide c23_mm = c3_m * c2_mm + v14 * s2_mm;
     const wide s23_pp = c3_p * s2_pp + s3_p * c2_pp;
-    const wide s23_pm = c3_m * s2_pm - v8 * c2_pm;
+    const wide s23_pm = c3_m * s2_pm - v14 * c2_pm;
     const wide s23_mp = c3_p * s2_mp + s3_p * c2_mp;
-    const wide s23_mm = c3_m * s2_mm - v8 * c2_mm;
-    const wide v19 = c1_p * T13 + s1_p * T23;
-    const wide v20 = s1_m * T23 - v4 * T13;
-    const wide v21 = c23_pp * v19 + s23_pp * T33;
-    const wide v22 = c23_pm * v19 + s23_pm * T33;
-    const wide v23 = c23_mp * v20 + s23_mp * T33;
-    const wide v24 = c23_mm * v20 + s23_mm * T33;
+    const wide s23_mm = c3_m * s2_mm - v14 * c2_mm;
+    const wide v30 = c1_p * T13 + s1_p * T23;
+    const wide v31 = s1_m * T23 - v7 * T13;
+    const wide c4_pp = c23_pp * v30 + s23_pp * T33;
+    const wide c4_pm = c23_pm * v30 + s23_pm * T33;
+    const wide c4_mp = c23_mp * v31 + s23_mp * T33;
+    const wide c4_mm = c23_mm * v31 + s23_mm * T33;
     const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v25 = v4 * T23 + s1_m * T13;
-    const wide v26 = Y4_p * Y4_p;
-    const wide v27 = v25 * v25;
-    const wide w4_pp = sqrt_wide(v26 + v21 * v21);
-    const wide w4_pm = sqrt_wide(v26 + v22 * v22);
-    const wide w4_mp = sqrt_wide(v27 + v23 * v23);
-    const wide w4_mm = sqrt_wide(v27 + v24 * v24);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide c4_pp = v21 * factor4_pp;
-    const wide c4_pm = v22 * factor4_pm;
-    const wide c4_mp = v23 * factor4_mp;
-    const wide c4_mm = v24 * factor4_mm;
-    const wide s4_pp = Y4_p * factor4_pp;
-    const wide s4_pm = Y4_p * factor4_pm;
-    const wide v28 = v25 * factor4_mp;
-    const wide v29 = v25 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, c4_pp);
-    const wide q4_pmp = atan2_wide(s4_pm, c4_pm);
-    const wide q4_mpp = atan2_wide(-v28, c4_mp);
-    const wide q4_mmp = atan2_wide(-v29, c4_mm);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), s4_pp) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), s4_pm) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v28) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v29) * h1;
+    const wide v32 = v7 * T23 + s1_m * T13;
+    const wide v33 = Y4_p * Y4_p;
+    const wide v34 = v32 * v32;
+    const wide v35 = v33 + c4_pp * c4_pp;
+    const wide v36 = v33 + c4_pm * c4_pm;
+    const wide v37 = v34 + c4_mp * c4_mp;
+    const wide v38 = v34 + c4_mm * c4_mm;
+    const wide angle1_______ = atan2_wide(Y4_p, c4_pp);
+    const wide angle1________ = atan2_wide(Y4_p, c4_pm);
+    const wide angle1_________ = atan2_wide(-v32, c4_mp);
+    const wide angle1__________ = atan2_wide(-v32, c4_mm);
+    const wide v39 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v40 = copysign_wide(all_wide(half_turn), -v32) * h1;
+    const wide q4_ppm = angle1_______ - v39;
+    const wide q4_pmm = angle1________ - v39;
+    const wide q4_mpm = angle1_________ - v40;
+    const wide q4_mmm = angle1__________ - v40;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(-w4_pp, c23_pp * T33 - s23_pp * v19);
-    const wide q5_pmp = atan2_wide(-w4_pm, c23_pm * T33 - s23_pm * v19);
-    const wide q5_mpp = atan2_wide(-w4_mp, c23_mp * T33 - s23_mp * v20);
-    const wide q5_mmp = atan2_wide(-w4_mm, c23_mm * T33 - s23_mm * v20);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v35), c23_pp * T33 - s23_pp * v30);
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v36), c23_pm * T33 - s23_pm * v30);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v37), c23_mp * T33 - s23_mp * v31);
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v38), c23_mm * T33 - s23_mm * v31);
 
     /* theta6 */
-    const wide v30 = s1_p * T12 - c1_p * T22;
-    const wide v31 = s1_m * T12 + v4 * T22;
-    const wide v32 = c1_p * T12 + s1_p * T22;
-    const wide v33 = s1_m * T22 - v4 * T12;
-    const wide v34 = s1_p * T11 - c1_p * T21;
-    const wide v35 = s1_m * T11 + v4 * T21;
-    const wide v36 = c1_p * T11 + s1_p * T21;
-    const wide v37 = s1_m * T21 - v4 * T11;
-    const wide q6_ppp = atan2_wide(-(c4_pp * v34 + s4_pp * (c23_pp * v36 + s23_pp * T31)), -(c4_pp *
-        v30 + s4_pp * (c23_pp * v32 + s23_pp * T32)));
-    const wide q6_pmp = atan2_wide(-(c4_pm * v34 + s4_pm * (c23_pm * v36 + s23_pm * T31)), -(c4_pm *
-        v30 + s4_pm * (c23_pm * v32 + s23_pm * T32)));
-    const wide v38 = v28 * (c23_mp * v37 + s23_mp * T31) - c4_mp * v35;
-    const wide q6_mpp = atan2_wide(v38, v28 * (c23_mp * v33 + s23_mp * T32) - c4_mp * v31);
-    const wide v39 = v29 * (c23_mm * v37 + s23_mm * T31) - c4_mm * v35;
-    const wide q6_mmp = atan2_wide(v39, v29 * (c23_mm * v33 + s23_mm * T32) - c4_mm * v31);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v34 + s4_pp *
-        (c23_pp * v36 + s23_pp * T31)));
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v34 + s4_pm *
-        (c23_pm * v36 + s23_pm * T31)));
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v38);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v39);
+    const wide v41 = s1_p * T12 - c1_p * T22;
+    const wide v42 = s1_m * T12 + v7 * T22;
+    const wide v43 = c1_p * T12 + s1_p * T22;
+    const wide v44 = s1_m * T22 - v7 * T12;
+    const wide v45 = s1_p * T11 - c1_p * T21;
+    const wide v46 = s1_m * T11 + v7 * T21;
+    const wide v47 = c1_p * T11 + s1_p * T21;
+    const wide v48 = s1_m * T21 - v7 * T11;
+    const wide angle1_______________ = atan2_wide(-(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp *
+        T31)), -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32)));
+    const wide angle1________________ = atan2_wide(-(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm *
+        T31)), -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32)));
+    const wide v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46;
+    const wide angle1_________________ = atan2_wide(v49, v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp
+        * v42);
+    const wide v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46;
+    const wide angle1__________________ = atan2_wide(v50, v32 * (c23_mm * v44 + s23_mm * T32) -
+        c4_mm * v42);
+    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pp *
+        v45 + Y4_p * (c23_pp * v47 + s23_pp * T31)));
+    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pm *
+        v45 + Y4_p * (c23_pm * v47 + s23_pm * T31)));
+    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v49);
+    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v50);
 
     /* joint values */
-    const wide_mask v40 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v41 = (q1__m < low1) | (high1 < q1__m);
-    const wide_mask v42 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v43 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide v44 = w3 - w3;
-    const wide q1_ppp = q1__p + v44;
-    const wide q1_mpp = q1__m + v44;
-    const wide_mask v45 = v42 | (v40 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v46 = v43 | (v40 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v47 = v42 | (v41 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v48 = v43 | (v41 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v45 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v45 | ((-q5_ppp < low5) | (high5 < -q5_ppp));
-    const wide_mask outside_pmp = v46 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v46 | ((-q5_pmp < low5) | (high5 < -q5_pmp));
-    const wide_mask outside_mpp = v47 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v47 | ((-q5_mpp < low5) | (high5 < -q5_mpp));
-    const wide_mask outside_mmp = v48 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v48 | ((-q5_mmp < low5) | (high5 < -q5_mmp));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))
-        | ((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)))));
+    const wide v51 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v52 = pick_wide(-v17 <= -half_turn, all_wide(m4), all_wide(0.0)) - v17;
+    const wide_mask v53 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v54 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v55 = (v51 < low3) | (high3 < v51);
+    const wide_mask v56 = (v52 < low3) | (high3 < v52);
+    const wide q1_ppp = angle1 + v11;
+    const wide q1_mpp = angle1_ + v11;
+    const wide q3_ppp = v1 + v51;
+    const wide q3_pmp = v1 + v52;
+    const wide_mask v57 = v55 | (v53 | ((angle1___ < low2) | (high2 < angle1___)));
+    const wide_mask v58 = v56 | (v53 | ((angle1____ < low2) | (high2 < angle1____)));
+    const wide_mask v59 = v55 | (v54 | ((angle1_____ < low2) | (high2 < angle1_____)));
+    const wide_mask v60 = v56 | (v54 | ((angle1______ < low2) | (high2 < angle1______)));
+    const wide_mask outside_ppp = v57 | ((angle1___________ < low5) | (high5 < angle1___________));
+    const wide_mask outside_ppm = v57 | ((-angle1___________ < low5) | (high5 <
+        -angle1___________));
+    const wide_mask outside_pmp = v58 | ((angle1____________ < low5) | (high5 <
+        angle1____________));
+    const wide_mask outside_pmm = v58 | ((-angle1____________ < low5) | (high5 <
+        -angle1____________));
+    const wide_mask outside_mpp = v59 | ((angle1_____________ < low5) | (high5 <
+        angle1_____________));
+    const wide_mask outside_mpm = v59 | ((-angle1_____________ < low5) | (high5 <
+        -angle1_____________));
+    const wide_mask outside_mmp = v60 | ((angle1______________ < low5) | (high5 <
+        angle1______________));
+    const wide_mask outside_mmm = v60 | ((-angle1______________ < low5) | (high5 <
+        -angle1______________));
+    const wide_mask doubt = ((v29 <= m1) | (v38 <= m2)) | (((v28 <= m1) | (v37 <= m2)) | (((v27 <=
+        m1) | (v36 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0))))) | ((v26 <= m1) | (v35 <= m2)))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[1] = angle1___;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1_______;
+    q[4] = angle1___________;
+    q[5] = angle1_______________;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[7] = angle1___;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1___________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
+    q[13] = angle1____;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1________;
+    q[16] = angle1____________;
+    q[17] = angle1________________;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
+    q[19] = angle1____;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1____________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
+    q[25] = angle1_____;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1_________;
+    q[28] = angle1_____________;
+    q[29] = angle1_________________;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
+    q[31] = angle1_____;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1_____________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
+    q[37] = angle1______;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1__________;
+    q[40] = angle1______________;
+    q[41] = angle1__________________;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
+    q[43] = angle1______;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1______________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -726,98 +744,102 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
+    const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v1 = d3 * T14;
-    const double v2 = d3 * T24;
-    const double v3 = T14 * w1;
-    const four c1 = inverse1 * (e1 * v3 - v2);
-    const double v4 = T24 * w1;
-    const four s1 = inverse1 * (v1 + e1 * v4);
-    const four q1_ = atan2_four(s1, c1);
+    const double v2 = d3 * T14;
+    const double v3 = d3 * T24;
+    const double v4 = T14 * w1;
+    const four v5 = e1 * v4 - v3;
+    const four c1 = inverse1 * v5;
+    const double v6 = T24 * w1;
+    const four v7 = v2 + e1 * v6;
+    const four s1 = inverse1 * v7;
 
     /* theta3 */
     const double Z1_3 = T34 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = D1 + Z1_3 * Z1_3;
     const double K3 = N3 - k6;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = k4 * K3;
-    const double v6 = k5 * w3;
-    const four s3 = k7 * (e2 * v6 - v5);
-    const double v7 = k5 * K3;
-    const double v8 = k4 * w3;
-    const four c3 = k7 * (v7 + e2 * v8);
-    const four q3_p = atan2_four(s3, c3);
+    const double v8 = w3 - w3;
+    const double v9 = k4 * K3;
+    const double v10 = k5 * w3;
+    const four s3 = k7 * (e2 * v10 - v9);
+    const double v11 = k5 * K3;
+    const double v12 = k4 * w3;
+    const four c3 = k7 * (v11 + e2 * v12);
 
     /* theta2 */
     const four X1_2 = a2 + (a3 * c3 - d4 * s3);
     const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v9 = Z1_3 * X1_2;
-    const four v10 = w1 * Y1_2;
-    const four S2 = v9 - e1 * v10;
-    const four v11 = w1 * X1_2;
-    const four v12 = Z1_3 * Y1_2;
-    const four C2 = v12 + e1 * v11;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v13 = Z1_3 * X1_2;
+    const four v14 = w1 * Y1_2;
+    const four S2 = v13 - e1 * v14;
+    const four v15 = w1 * X1_2;
+    const four v16 = Z1_3 * Y1_2;
+    const four C2 = v16 + e1 * v15;
+    const four v17 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v17);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
-    const four q2_p = atan2_four(s2, c2);
 
     /* theta4 */
     const four c23 = c3 * c2 - s3 * s2;
     const four s23 = c3 * s2 + s3 * c2;
-    const four v13 = c1 * T13 + s1 * T23;
-    const four v14 = c23 * v13 + s23 * T33;
+    const four v18 = c1 * T13 + s1 * T23;
+    const four c4 = c23 * v18 + s23 * T33;
     const four Y4 = c1 * T23 - s1 * T13;
-    const four v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + v14 * v14);
-    const four factor4 = 1.0 / w4;
-    const four c4 = v14 * factor4;
-    const four s4 = Y4 * factor4;
-    const four q4_p = atan2_four(s4, c4);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), s4) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(-w4, c23 * T33 - s23 * v13);
+    const four v19 = Y4 * Y4;
+    const four v20 = v19 + c4 * c4;
+    const four v21 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v16 = s1 * T12 - c1 * T22;
-    const four v17 = c1 * T12 + s1 * T22;
-    const four v18 = s1 * T11 - c1 * T21;
-    const four v19 = c1 * T11 + s1 * T21;
-    const four q6_p = atan2_four(-(c4 * v18 + s4 * (c23 * v19 + s23 * T31)), -(c4 * v16 + s4 * (c23
-        * v17 + s23 * T32)));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), -(c4 * v18 + s4 * (c23 * v19 +
-        s23 * T31)));
+    const four v22 = s1 * T12 - c1 * T22;
+    const four v23 = c1 * T12 + s1 * T22;
+    const four v24 = s1 * T11 - c1 * T21;
+    const four v25 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const four_mask v20 = (q1_ < low1) | (high1 < q1_);
-    const four_mask v21 = (q3_p < low3) | (high3 < q3_p);
-    const double v22 = w3 - w3;
-    const four q1_p = q1_ + v22;
-    const four_mask v23 = v21 | (v20 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v23 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v23 | ((-q5_p < low5) | (high5 < -q5_p));
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m1) | (v20 <= m2));
+
+    const four angle1__ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(Y4, c4);
+    const four angle1____ = atan2_four(-sqrt_four(v20), c23 * T33 - s23 * v18);
+    const four angle1_____ = atan2_four(-(c4 * v24 + Y4 * (c23 * v25 + s23 * T31)), -(c4 * v22 + Y4
+        * (c23 * v23 + s23 * T32)));
+    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(v5, all_four(K3), 0, 5, 2, 3));
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1___ - v21;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), -(c4 * v24 + Y4 * (c23 *
+        v25 + s23 * T31)));
+    const four v26 = q3_ + pick_four(q3_ <= -half_turn, all_four(m4), all_four(0.0));
+    const four_mask v27 = (angle1 < low1) | (high1 < angle1);
+    const four_mask v28 = (v26 < low3) | (high3 < v26);
+    const four q1_p = angle1 + v8;
+    const four q3_p = v1 + v26;
+    const four_mask v29 = v28 | (v27 | ((angle1__ < low2) | (high2 < angle1__)));
+    const four_mask outside_p = v29 | ((angle1____ < low5) | (high5 < angle1____));
+    const four_mask outside_m = v29 | ((-angle1____ < low5) | (high5 < -angle1____));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

@@ -11,7 +11,8 @@ static const double turn = 6.283185307179586;
 static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit1^2 [m^2] */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const rrprrr_branches[8] = {
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
@@ -208,25 +209,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -260,25 +263,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #else
 #define LANES 1
@@ -293,25 +298,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #endif
 #endif
@@ -351,91 +358,94 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = T14 * factor1;
-    const wide v2 = T24 * factor1;
-    const wide q1_ppp = atan2_wide(-v2, -v1);
-    const wide q1_mpp = q1_ppp - copysign_wide(all_wide(half_turn), -v2) * h1;
+    const wide v2 = T14 * factor1;
+    const wide v3 = T24 * factor1;
+    const wide angle1 = atan2_wide(-T24, -T14);
+    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), -T24) * h1;
 
     /* theta2, r3 */
-    const wide q3_ppp = sqrt_wide(T34 * T34 + w1 * w1);
+    const wide v4 = v1 + T34 * T34;
+    const wide q3_ppp = sqrt_wide(v4);
     const wide factor2 = 1.0 / q3_ppp;
-    const wide v3 = T34 * factor2;
-    const wide v4 = w1 * factor2;
-    const wide q2_ppp = atan2_wide(-v4, -v3);
-    const wide q2_pmp = q2_ppp - h1 * copysign_wide(all_wide(half_turn), -v4);
+    const wide v5 = T34 * factor2;
+    const wide v6 = w1 * factor2;
+    const wide angle1_ = atan2_wide(-w1, -T34);
+    const wide q2_pmp = angle1_ - h1 * copysign_wide(all_wide(half_turn), -w1);
 
     /* theta4 */
-    const wide v5 = v1 * T13 + v2 * T23;
-    const wide X4 = v3 * v5 - v4 * T33;
-    const wide Y4 = v2 * T13 - v1 * T23;
-    const wide w4 = sqrt_wide(Y4 * Y4 + X4 * X4);
+    const wide v7 = v2 * T13 + v3 * T23;
+    const wide X4 = v5 * v7 - v6 * T33;
+    const wide Y4 = v3 * T13 - v2 * T23;
+    const wide v8 = Y4 * Y4 + X4 * X4;
+    const wide w4 = sqrt_wide(v8);
     const wide factor4 = 1.0 / w4;
-    const wide v6 = X4 * factor4;
+    const wide v9 = X4 * factor4;
     const wide s4 = Y4 * factor4;
-    const wide q4_ppp = atan2_wide(s4, -v6);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4);
+    const wide angle1__ = atan2_wide(Y4, -X4);
+    const wide q4_ppm = angle1__ - h1 * copysign_wide(all_wide(half_turn), Y4);
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(-w4, v4 * v5 + v3 * T33);
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - q5_ppp;
+    const wide angle1___ = atan2_wide(-w4, v6 * v7 + v5 * T33);
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle1___;
 
     /* theta6 */
-    const wide v7 = v6 * (v2 * T11 - v1 * T21) - s4 * (v3 * (v1 * T11 + v2 * T21) - v4 * T31);
-    const wide q6_ppp = atan2_wide(v7, v6 * (v2 * T12 - v1 * T22) - s4 * (v3 * (v1 * T12 + v2 * T22)
-        - v4 * T32));
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v7);
+    const wide v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31);
+    const wide angle1____ = atan2_wide(v10, v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 *
+        T22) - v6 * T32));
+    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v10);
 
     /* joint values */
-    const wide_mask doubt = (w4 <= free_limit) | ((w1 <= free_limit1) | (q3_ppp <= free_limit1));
+    const wide_mask doubt = (v8 <= m1) | ((v1 <= m1) | (v4 <= m1));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[0] = angle1;
+    q[1] = angle1_;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1__;
+    q[4] = angle1___;
+    q[5] = angle1____;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[6] = angle1;
+    q[7] = angle1_;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1___;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
+    q[12] = angle1;
     q[13] = q2_pmp;
     q[14] = -q3_ppp;
     q[15] = -q4_ppm;
     q[16] = q5_pmp;
     q[17] = q6_ppm;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
+    q[18] = angle1;
     q[19] = q2_pmp;
     q[20] = -q3_ppp;
-    q[21] = -q4_ppp;
+    q[21] = -angle1__;
     q[22] = -q5_pmp;
-    q[23] = q6_ppp;
+    q[23] = angle1____;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = -q2_ppp;
+    q[25] = -angle1_;
     q[26] = q3_ppp;
     q[27] = q4_ppm;
-    q[28] = q5_ppp;
-    q[29] = q6_ppp;
+    q[28] = angle1___;
+    q[29] = angle1____;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = -q2_ppp;
+    q[31] = -angle1_;
     q[32] = q3_ppp;
-    q[33] = q4_ppp;
-    q[34] = -q5_ppp;
+    q[33] = angle1__;
+    q[34] = -angle1___;
     q[35] = q6_ppm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = -q2_pmp;
     q[38] = -q3_ppp;
-    q[39] = -q4_ppp;
+    q[39] = -angle1__;
     q[40] = q5_pmp;
     q[41] = q6_ppm;
     kind[6] = kind_of(q[36] != q[36], 0);
@@ -444,7 +454,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[44] = -q3_ppp;
     q[45] = -q4_ppm;
     q[46] = -q5_pmp;
-    q[47] = q6_ppp;
+    q[47] = angle1____;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -514,7 +524,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -526,62 +536,72 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = T14 * factor1;
-    const double v2 = T24 * factor1;
-    const four q1_p = atan2_four(all_four(-v2), all_four(-v1));
-    const four q1_m = q1_p - copysign(half_turn, -v2) * h1;
+    const double v2 = T14 * factor1;
+    const double v3 = T24 * factor1;
 
     /* theta2, r3 */
-    const double w3 = sqrt(T34 * T34 + w1 * w1);
+    const double v4 = v1 + T34 * T34;
+    const double w3 = sqrt(v4);
     const double factor2 = 1.0 / w3;
-    const double v3 = T34 * factor2;
-    const double v4 = w1 * factor2;
-    const four v5 = atan2_four(all_four(-v4), all_four(-v3));
-    const double v6 = copysign(half_turn, -v4);
-    const four v7 = e2 - 1.0;
-    const four q2_p = v5 + v6 * (m1 * v7);
+    const double v5 = T34 * factor2;
+    const double v6 = w1 * factor2;
+    const double v7 = copysign(half_turn, -w1);
+    const four v8 = e2 - 1.0;
 
     /* theta4 */
-    const double v8 = v1 * T13 + v2 * T23;
-    const double X4 = v3 * v8 - v4 * T33;
-    const double Y4 = v2 * T13 - v1 * T23;
-    const double w4 = sqrt(Y4 * Y4 + X4 * X4);
+    const double v9 = v2 * T13 + v3 * T23;
+    const double X4 = v5 * v9 - v6 * T33;
+    const double Y4 = v3 * T13 - v2 * T23;
+    const double v10 = Y4 * Y4 + X4 * X4;
+    const double w4 = sqrt(v10);
     const double factor4 = 1.0 / w4;
-    const double v9 = X4 * factor4;
+    const double v11 = X4 * factor4;
     const double s4 = Y4 * factor4;
-    const four v10 = atan2_four(all_four(s4), all_four(-v9));
-    const double v11 = copysign(half_turn, s4);
-    const four v12 = e2 * v10;
-    const four q4_p = v12 + v11 * (m1 * (e3 - e2));
-    const four q4_m = v12 - v11 * (m1 * (e2 + e3));
+    const double v12 = copysign(half_turn, Y4);
 
     /* theta5 */
-    const four v13 = atan2_four(all_four(-w4), all_four(v4 * v8 + v3 * T33));
     const double v14 = copysign(half_turn, -w4);
-    const four q5_ = e2 * v13 + v14 * (m1 * -v7);
 
     /* theta6 */
-    const double v15 = v9 * (v2 * T11 - v1 * T21) - s4 * (v3 * (v1 * T11 + v2 * T21) - v4 * T31);
-    const four v16 = atan2_four(all_four(v15), all_four(v9 * (v2 * T12 - v1 * T22) - s4 * (v3 * (v1
-        * T12 + v2 * T22) - v4 * T32)));
-    const double v17 = copysign(half_turn, v15);
-    const four q6_p = v16 + v17 * (m1 * (e2 * e3 - 1.0));
+    const double v15 = v11 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31);
+    const double v16 = copysign(half_turn, v15);
 
     /* joint values */
     const four q3_p = e2 * w3;
+    const int doubt = (v10 <= m1) | ((v1 <= m1) | (v4 <= m1));
+
+    const four packed1 = atan2_four((four){ -T24, -w1, Y4, -w4 }, (four){ -T14, -T34, -X4, v6 * v9 +
+        v5 * T33 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four packed2 = atan2_four((four){ v15, v15, v15, v15 }, (four){ v11 * (v3 * T12 - v2 *
+        T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5
+        * (v2 * T12 + v3 * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3
+        * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 *
+        T32) });
+    const four angle1____ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four q1_m = angle1 - copysign(half_turn, -T24) * h1;
+    const four q2_p = angle1_ + v7 * (m2 * v8);
+    const four v13 = e2 * angle1__;
+    const four q4_p = v13 + v12 * (m2 * (e3 - e2));
+    const four q4_m = v13 - v12 * (m2 * (e2 + e3));
+    const four q5_ = e2 * angle1___ + v14 * (m2 * -v8);
+    const four q6_p = angle1____ + v16 * (m2 * (e2 * e3 - 1.0));
     const four q5_p = e3 * q5_;
-    const int doubt = (w4 <= free_limit) | ((w1 <= free_limit1) | (w3 <= free_limit1));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (doubt)
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1_p, q2_p, q3_p, q4_p);
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
+    const four_mask kind1 = kind_of(angle1 != angle1, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[1] = (unsigned char)kind1[1];

@@ -36,7 +36,9 @@ static const float low2 = -2.5307295f; /* lowest value of joint 2 */
 static const float high2 = 2.5307295f; /* highest value of joint 2 */
 static const float low3 = -0.200002f; /* lowest value of joint 3 */
 static const float high3 = 2e-06f; /* highest value of joint 3 */
-static const float m1 = 6.2831855f; /* 2 * half_turn */
+static const float m1 = 1.6e-19f; /* free_limit_squared^2 */
+static const float m2 = 6.5536e-20f; /* free_limit_squared2^2 [m^4] */
+static const float m3 = 6.2831855f; /* 2 * half_turn */
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -180,25 +182,27 @@ typedef int wide_mask;
 #define atan2_wide atan2f
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0f;
+    const wide lower = ax * 0.41421357f, inner = ay * 0.41421357f;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421357f;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
+    const wide known = pick_wide(left, 3.1415927f - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853982f), all_wide(0.0f));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707964f - a, a);
-    a = pick_wide(x < 0.0f, 3.1415927f - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #endif
 
@@ -235,81 +239,80 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide w124 = sqrt_wide(T21 * T21 + T11 * T11);
-    const wide_mask free124 = w124 <= free_limit_squared;
-    const wide v1 = 1.0f / w124;
-    const wide c124 = T11 * v1;
-    const wide s124 = T21 * v1;
-    const wide theta124 = atan2_wide(s124, c124);
+    const wide v1 = T21 * T21 + T11 * T11;
+    const wide_mask free124 = v1 <= m1;
+    const wide v2 = 1.0f / sqrt_wide(v1);
+    const wide c124 = T11 * v2;
+    const wide s124 = T21 * v2;
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide t14 = T14 - L4 * T11;
     const wide t24 = T24 - L4 * T21;
     const wide N2 = t14 * t14 + t24 * t24;
+    const wide K2 = N2 - k1;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
     const wide s2 = k2 * w2;
-    const wide c2 = k2 * (N2 - k1);
-    const wide q2_ = atan2_wide(s2, c2);
+    const wide c2 = k2 * K2;
+    const wide angle1_ = atan2_wide(w2, K2);
 
     /* theta1 */
     const wide X1_1 = L1 + L2 * c2;
     const wide Y1_1 = L2 * s2;
-    const wide v2 = t24 * X1_1;
-    const wide v3 = t14 * Y1_1;
-    const wide S1_p = v2 - v3;
-    const wide S1_m = v2 + v3;
-    const wide v4 = t14 * X1_1;
-    const wide v5 = t24 * Y1_1;
-    const wide C1_p = v4 + v5;
-    const wide C1_m = v4 - v5;
-    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
-    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
-    const wide_mask free1_p = w1_p <= free_limit_squared2;
-    const wide_mask free1_m = w1_m <= free_limit_squared2;
-    const wide factor1_p = 1.0f / w1_p;
-    const wide factor1_m = 1.0f / w1_m;
+    const wide v3 = t24 * X1_1;
+    const wide v4 = t14 * Y1_1;
+    const wide S1_p = v3 - v4;
+    const wide S1_m = v3 + v4;
+    const wide v5 = t14 * X1_1;
+    const wide v6 = t24 * Y1_1;
+    const wide C1_p = v5 + v6;
+    const wide C1_m = v5 - v6;
+    const wide v7 = S1_p * S1_p + C1_p * C1_p;
+    const wide v8 = S1_m * S1_m + C1_m * C1_m;
+    const wide_mask free1_p = v7 <= m2;
+    const wide_mask free1_m = v8 <= m2;
+    const wide factor1_p = 1.0f / sqrt_wide(v7);
+    const wide factor1_m = 1.0f / sqrt_wide(v8);
     const wide c1_p = C1_p * factor1_p;
     const wide c1_m = C1_m * factor1_m;
     const wide s1_p = S1_p * factor1_p;
     const wide s1_m = S1_m * factor1_m;
-    const wide q1__p = atan2_wide(s1_p, c1_p);
-    const wide q1__m = atan2_wide(s1_m, c1_m);
+    const wide angle1__ = atan2_wide(S1_p, C1_p);
+    const wide angle1___ = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v6 = sqrt_wide(pick_wide((abs_wide(T33 - 1.0f) <= pose_slack) & ((abs_wide(T32) <=
-        pose_slack) & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) &
-        ((abs_wide(T22 - c124) <= pose_slack) & ((abs_wide(T21 - s124) <= pose_slack) &
-        ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c124) <= pose_slack) & (abs_wide(s124 +
-        T12) <= pose_slack)))))))), all_wide(0.0f), all_wide(-1.0f)));
-    const wide v7 = sqrt_wide(pick_wide((abs_wide(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p))
-        <= pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <=
-        pose_slack1), all_wide(0.0f), all_wide(-1.0f)));
-    const wide v8 = sqrt_wide(pick_wide((abs_wide(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m))
-        <= pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <=
-        pose_slack1), all_wide(0.0f), all_wide(-1.0f)));
+    const float v9 = sqrtf(-1.0f);
+    const wide v10 = pick_wide((abs_wide(T33 - 1.0f) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
+        & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c124)
+        <= pose_slack) & ((abs_wide(T21 - s124) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
+        ((abs_wide(T11 - c124) <= pose_slack) & (abs_wide(s124 + T12) <= pose_slack)))))))),
+        all_wide(0.0f), all_wide(v9));
+    const wide v11 = pick_wide((abs_wide(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p)) <=
+        pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <= pose_slack1),
+        all_wide(0.0f), all_wide(v9));
+    const wide v12 = pick_wide((abs_wide(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m)) <=
+        pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <= pose_slack1),
+        all_wide(0.0f), all_wide(v9));
 
     /* joint values */
-    const wide v9 = theta124 - (q2_ + q1__p);
-    const wide v10 = theta124 - (q1__m - q2_);
-    const wide_mask v11 = (t34 < low3) | (high3 < t34);
-    const wide v12 = v6 - v6;
-    const wide v13 = v7 - v7;
-    const wide v14 = v8 - v8;
-    const wide q1_p = v13 + (q1__p + v12);
-    const wide q1_m = v14 + (q1__m + v12);
-    const wide q2_p = v13 + (q2_ + v12);
-    const wide q2_m = v14 + (v12 - q2_);
-    const wide v15 = v12 + (t34 + (w2 - w2));
-    const wide q3_p = v13 + v15;
-    const wide q3_m = v14 + v15;
-    const wide q4_p = v13 + (v12 + (v9 - pick_wide(half_turn < v9, all_wide(m1), all_wide(0.0f)) +
-        pick_wide(v9 <= -half_turn, all_wide(m1), all_wide(0.0f))));
-    const wide q4_m = v14 + (v12 + (v10 - pick_wide(half_turn < v10, all_wide(m1), all_wide(0.0f)) +
-        pick_wide(v10 <= -half_turn, all_wide(m1), all_wide(0.0f))));
-    const wide_mask outside_p = v11 | (((q1__p < low1) | (high1 < q1__p)) | ((q2_ < low2) | (high2 <
-        q2_)));
-    const wide_mask outside_m = v11 | (((q1__m < low1) | (high1 < q1__m)) | ((-q2_ < low2) | (high2
-        < -q2_)));
+    const wide v13 = angle1 - (angle1_ + angle1__);
+    const wide v14 = angle1 - (angle1___ - angle1_);
+    const wide_mask v15 = (t34 < low3) | (high3 < t34);
+    const wide q1_p = v11 + (angle1__ + v10);
+    const wide q1_m = v12 + (angle1___ + v10);
+    const wide q2_p = v11 + (angle1_ + v10);
+    const wide q2_m = v12 + (v10 - angle1_);
+    const wide v16 = v10 + (t34 + (w2 - w2));
+    const wide q3_p = v11 + v16;
+    const wide q3_m = v12 + v16;
+    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m3), all_wide(0.0f)) +
+        pick_wide(v13 <= -half_turn, all_wide(m3), all_wide(0.0f))));
+    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m3), all_wide(0.0f)) +
+        pick_wide(v14 <= -half_turn, all_wide(m3), all_wide(0.0f))));
+    const wide_mask outside_p = v15 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
+        | (high2 < angle1_)));
+    const wide_mask outside_m = v15 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
+        low2) | (high2 < -angle1_)));
     const wide_mask doubt = (free1_m | (free124 | free1_m)) | ((free124 | (((shortest2_reach <= N2)
         & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
         (free1_p | (free124 | free1_p)));

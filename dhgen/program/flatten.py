@@ -164,9 +164,9 @@ class _Flattening:
                 given = builder.seed if role == "seed" else builder.given
                 return given(number)
             case Apply(operator, operands):
-                return builder.simplified(
-                    operator, [self._value(operand, axes, choice) for operand in operands]
-                )
+                parts = [self._value(operand, axes, choice) for operand in operands]
+                node = builder.simplified(operator, parts)
+                return builder.name(node, "angle1") if operator == "atan2" else node
 
 
 def _name(name: str, choice: Choice) -> str:

@@ -10,9 +10,11 @@ pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.builder import Builder
+from dhgen.program.count import count_operations
 from dhgen.program.ir import (
     AllJoints,
     Apply,
@@ -67,19 +69,29 @@ def regular(program: Program, limits: tuple[Limits | None, ...] = ()) -> Regular
     """
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
-    return _Regular(program, limits or (None,) * len(program.outputs)).run()
+    limits = limits or (None,) * len(program.outputs)
+    inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
+    found = (
+        _Regular(program, limits, frozenset(kept)).run()
+        for count in range(len(inverses) + 1)
+        for kept in combinations(inverses, count)
+    )
+    return min(found, key=lambda solver: _cost(solver.program))
 
 
 class _Regular:
-    def __init__(self, program: Program, limits: tuple[Limits | None, ...]) -> None:
+    def __init__(
+        self, program: Program, limits: tuple[Limits | None, ...], kept: frozenset[str]
+    ) -> None:
         self._program = program
+        self._kept = kept  # the inverse lengths that stay in front as long as they can
         self._limits = limits
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
         self._values: dict[str, Signed] = {}
         self._assumed: dict[str, bool] = {}
         self._doubts: list[Node] = []
-        self._endings: list[Node] = []
+        self._endings: list[tuple[Node, Node]] = []
         self._reached: Guard | None = None
 
     def run(self) -> Regular:
@@ -93,7 +105,7 @@ class _Regular:
         self._assume()
         for statement in self._program.body:
             self._take(statement)
-        joints = [self._arithmetic.plain(self._value(o)) for o in self._program.outputs]
+        joints = [self._arithmetic.angle(self._value(o)) for o in self._program.outputs]
         limiting = Limiting(builder)
         joints = [
             limiting.limited(place + 1, node, limits)
@@ -161,21 +173,21 @@ class _Regular:
         self._doubts.append(met)
 
     def _end(self, condition: Node, failure: Failure, margin: Expression | None) -> None:
-        """What is NaN where a branch ends here and else zero."""
+        """What is NaN where a branch ends here and else zero, and what may be NaN with it."""
         builder = self._builder
         if failure is Failure.REACH and margin is not None:
             length = builder.apply("sqrt", self._arithmetic.plain(self._value(margin)))
+            self._endings.append((length, builder.apply("sub", length, length)))
         else:
-            none = builder.select(condition, builder.integer(0), builder.integer(-1))
-            length = builder.apply("sqrt", none)
-        self._endings.append(length)
+            none = builder.apply("sqrt", builder.integer(-1))
+            ending = builder.select(condition, builder.integer(0), none)
+            self._endings.append((ending, ending))
 
     def _ended(self, joint: Node) -> Node:
         """A joint's value, NaN where the branch has ended."""
-        builder = self._builder
-        for length in self._endings:
-            if not self._spoils(length, joint, {}):
-                joint = builder.add(joint, builder.apply("sub", length, length))  # NaN or zero
+        for cause, ending in self._endings:
+            if not self._spoils(cause, joint, {}):
+                joint = self._builder.add(joint, ending)
         return joint
 
     def _spoils(self, cause: Node, node: Node, seen: dict[Node, bool]) -> bool:
@@ -208,7 +220,10 @@ class _Regular:
         builder = self._builder
         match expression:
             case Variable(name):
-                return self._values[name]
+                value = self._values[name]
+                if name in self._kept:
+                    return Signed(builder.integer(1), value.signs, frozenset({value.node}))
+                return value
             case Integer(value):
                 return Signed(builder.integer(value))
             case Pose(row, column):
@@ -227,7 +242,8 @@ class _Regular:
         if known is not None:
             return self._value(yes if known else no)
         first, second, common = self._arithmetic.shared(self._value(yes), self._value(no))
-        return Signed(self._builder.select(self._truth(condition), first, second), common)
+        node = self._builder.select(self._truth(condition), first, second)
+        return Signed(node, common.signs, common.factors)
 
     def _decided(self, condition: Expression) -> bool | None:
         """What is assumed of a condition."""
@@ -239,6 +255,22 @@ class _Regular:
                 return None if known is None else not known
             case _:
                 return None
+
+
+def _is_inverse(expression: Expression) -> bool:
+    """Whether a value is the inverse of a length, up to a sign."""
+    match expression:
+        case Apply("div", (Integer(1) | Variable(_), _)):
+            return True
+        case _:
+            return False
+
+
+def _cost(program: Program) -> int:
+    """What a program takes, in multiplications."""
+    count = count_operations(program)
+    few = count.additions + count.multiplications + 4 * count.divisions
+    return few + 6 * count.square_roots + 30 * count.arctangents
 
 
 def _met(guard: Guard) -> Expression:

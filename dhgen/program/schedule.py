@@ -233,8 +233,20 @@ class _Schedule:
         )
 
 
-def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[str]:
+def names_in(expressions: Iterable[Expression]) -> set[str]:
+    """The names that occur in expressions."""
     names: set[str] = set()
+    pending = list(expressions)
+    while pending:
+        expression = pending.pop()
+        if isinstance(expression, Variable):
+            names.add(expression.name)
+        elif isinstance(expression, Apply):
+            pending += expression.operands
+    return names
+
+
+def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[str]:
     pending = list(outputs)
     for statement in body:
         match statement:
@@ -244,10 +256,4 @@ def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[s
                 pending += [condition] if margin is None else [condition, margin]
             case Roots(coefficients=coefficients):
                 pending += coefficients
-    while pending:
-        expression = pending.pop()
-        if isinstance(expression, Variable):
-            names.add(expression.name)
-        elif isinstance(expression, Apply):
-            pending += expression.operands
-    return names
+    return names_in(pending)

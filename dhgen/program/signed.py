@@ -1,8 +1,9 @@
-"""Values with their branch signs in front: sigma v, where sigma is a product of signs.
+"""Values with their branch signs in front: sigma s v, where sigma is a product of signs.
 
 What is odd or even in a sign is computed once for both of its values: f(sigma x) is sigma f(x) or
 f(x), atan2(tau y, tau x) is half a turn from atan2(y, x), atan2(tau y, x) is tau atan2(y, x), and
-atan2(y, tau x) is pi - atan2(y, x). Such a rewrite makes the type of a value narrower.
+atan2(y, tau x) is pi - atan2(y, x). Such a rewrite makes the type of a value narrower. Positive
+factors s, such as the inverse of a length, may stay in front, too: an angle does not need them.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from dhgen.program.turned import turned_pair
 
 if TYPE_CHECKING:
     from dhgen.program.builder import Builder
@@ -21,15 +24,17 @@ NO_SIGNS: frozenset[Node] = frozenset()
 
 @dataclass(frozen=True, slots=True)
 class Signed:
-    """A value: a product of signs times what does not change sign with them.
+    """A value: a product of signs and positive factors times what is left.
 
     Attributes:
-        node: The value where every sign is +1.
+        node: The value where every sign is +1, without the factors.
         signs: The nodes of the signs.
+        factors: The nodes of the factors.
     """
 
     node: Node
     signs: frozenset[Node] = NO_SIGNS
+    factors: frozenset[Node] = NO_SIGNS
 
 
 class SignedArithmetic:
@@ -42,21 +47,34 @@ class SignedArithmetic:
     def __init__(self, builder: Builder) -> None:
         self._builder = builder
         self._ranges: dict[Node, tuple[float, float]] = {}
+        self._turns: list[Node] = []
 
     def apply(self, operator: Operator, operands: list[Signed]) -> Signed:
         """An operator that has a rule of its own here, else on plain values."""
         builder = self._builder
         match operator, operands:
             case "neg", (x,):
-                return Signed(builder.neg(x.node), x.signs)
+                return Signed(builder.neg(x.node), x.signs, x.factors)
             case "abs", (x,):
-                return Signed(builder.absolute(x.node))
-            case (("mul" | "div"), (x, y)):
-                node = builder.simplified(operator, [x.node, y.node])
-                return Signed(node, x.signs ^ y.signs)
+                return Signed(builder.absolute(x.node), factors=x.factors)
+            case "mul", (x, y):
+                both = x.factors & y.factors
+                first, second = self._scaled(x.node, both), y.node
+                entry = builder.entries[first]
+                if first == second and entry.operator == "sqrt":
+                    node = entry.operands[0]  # no need to wait for the root
+                else:
+                    node = builder.mul(first, second)
+                return Signed(node, x.signs ^ y.signs, x.factors | y.factors)
+            case "div", (x, y):
+                node = builder.div(x.node, self._scaled(y.node, y.factors))
+                return Signed(node, x.signs ^ y.signs, x.factors)
             case (("add" | "sub"), (x, y)):
                 a, b, common = self.shared(x, y)
-                return Signed(builder.simplified(operator, [a, b]), common)
+                node = builder.simplified(operator, [a, b])
+                return Signed(node, common.signs, common.factors)
+            case "at_most", (x, limit):
+                return self._at_most(self.plain(x), self.plain(limit))
             case "atan2", (y, x):
                 return self._angle(y, x)
             case "wrap", (x,):
@@ -67,13 +85,29 @@ class SignedArithmetic:
 
     def plain(self, value: Signed) -> Node:
         """The value itself."""
-        return self._builder.mul(self._product(value.signs), value.node)
+        scaled = self._scaled(value.node, value.factors)
+        return self._builder.mul(self._product(value.signs), scaled)
 
-    def shared(self, x: Signed, y: Signed) -> tuple[Node, Node, frozenset[Node]]:
-        """Two values without the signs they have in common, and these."""
-        common = x.signs & y.signs
-        first = self.plain(Signed(x.node, x.signs - common))
-        return first, self.plain(Signed(y.node, y.signs - common)), common
+    def shared(self, x: Signed, y: Signed) -> tuple[Node, Node, Signed]:
+        """Two values without the signs and factors they have in common, and these."""
+        signs, factors = x.signs & y.signs, x.factors & y.factors
+        first = self.plain(Signed(x.node, x.signs - signs, x.factors - factors))
+        second = self.plain(Signed(y.node, y.signs - signs, y.factors - factors))
+        return first, second, Signed(self._builder.integer(1), signs, factors)
+
+    def _scaled(self, node: Node, factors: frozenset[Node]) -> Node:
+        """A value times factors."""
+        for factor in sorted(factors):
+            node = self._builder.mul(node, factor)
+        return node
+
+    def _at_most(self, x: Node, limit: Node) -> Signed:
+        """x <= limit; a length is compared by its square, which needs no root."""
+        builder = self._builder
+        entry, most = builder.entries[x], builder.entries[limit].value
+        if entry.operator == "sqrt" and most is not None and most > 0:
+            x, limit = entry.operands[0], builder.square(limit)
+        return Signed(builder.apply("at_most", x, limit))
 
     def _product(self, signs: frozenset[Node]) -> Node:
         product = self._builder.integer(1)
@@ -88,6 +122,10 @@ class SignedArithmetic:
         are of no use in front.
         """
         builder = self._builder
+        y, x = self._without_length(y, x)
+        turned = self._turned(y, x)
+        if turned is not None:
+            return turned
         y, x = self._reduced(y, y, x), self._reduced(x, y, x)
         tau, rho_y, rho_x = y.signs & x.signs, y.signs - x.signs, x.signs - y.signs
         angle = builder.apply("atan2", y.node, x.node)
@@ -99,6 +137,78 @@ class SignedArithmetic:
             angle = builder.add(builder.mul(mirror, angle), builder.mul(half_turn, share))
             self._ranges[angle] = (-math.pi, math.pi)
         return Signed(angle, rho_y)
+
+    def _turned(self, y: Signed, x: Signed) -> Signed | None:
+        """atan2(a r - b k, a k + b r) = atan2(r, k) - atan2(b, a) with constants a and b.
+
+        Taken if it is narrower: r holds a sign that may then come in front. The range is beyond pi.
+        """
+        builder = self._builder
+        sine, cosine = self.plain(y), self.plain(x)
+        axes = {*builder.axes_of(sine), *builder.axes_of(cosine)}
+        found = turned_pair(builder, sine, cosine)
+        if found is None:
+            return None
+        r, k = (self._product_of(nodes) for nodes in (found.sine, found.cosine))
+        own = {axis for each in (r, k) for axis in builder.axes_of(each.node)}
+        if not own < axes:
+            return None
+        angle = self.plain(self._angle(r, k))
+        turn = builder.constant(f"turn{len(self._turns) + 1}", found.turn, "a constant angle [rad]")
+        self._turns.append(turn)
+        return Signed(builder.sub(angle, turn))
+
+    def _product_of(self, nodes: tuple[Node, ...]) -> Signed:
+        product = Signed(self._builder.integer(1))
+        for node in nodes:
+            sign = self._builder.is_sign(node)
+            one = Signed(self._builder.integer(1), frozenset({node})) if sign else Signed(node)
+            product = self.apply("mul", [product, one])
+        return product
+
+    def angle(self, value: Signed) -> Node:
+        """A joint's value, in (-pi, pi] if it is an angle."""
+        node = self.plain(value)
+        return node if self._range(node) is None else self._wrapped(node)
+
+    def _without_length(self, y: Signed, x: Signed) -> tuple[Signed, Signed]:
+        """The two without the positive factors that both have."""
+        unsigned = (Signed(value.node, factors=value.factors) for value in (y, x))
+        first, second, _ = self.shared(*unsigned)
+        parts = [self._parts(node) for node in (first, second)]
+        for factor in sorted(parts[0][1] & parts[1][1]):
+            if self._is_positive(factor):
+                first, second = self._divided(first, factor), self._divided(second, factor)
+        return Signed(first, y.signs), Signed(second, x.signs)
+
+    def _parts(self, node: Node) -> tuple[bool, frozenset[Node]]:
+        """Whether a product has a minus in front, and its operands."""
+        entry = self._builder.entries[node]
+        if entry.operator == "neg":
+            minus, operands = self._parts(entry.operands[0])
+            return not minus, operands
+        return False, frozenset(entry.operands if entry.operator == "mul" else ())
+
+    def _divided(self, node: Node, factor: Node) -> Node:
+        """A product without one of its operands."""
+        entry = self._builder.entries[node]
+        if entry.operator == "neg":
+            return self._builder.neg(self._divided(entry.operands[0], factor))
+        first, second = entry.operands
+        return second if first == factor else first
+
+    def _is_positive(self, node: Node) -> bool:
+        """Whether a value that is a number is positive for certain where it is not zero."""
+        entry = self._builder.entries[node]
+        if entry.value is not None:
+            return entry.value > 0
+        match entry.operator, entry.operands:
+            case "sqrt", _:
+                return True
+            case (("mul" | "div" | "add"), (left, right)):
+                return left == right or (self._is_positive(left) and self._is_positive(right))
+            case _:
+                return False
 
     def _reduced(self, value: Signed, *others: Signed) -> Signed:
         """The value with only those signs in front on which no other part depends."""

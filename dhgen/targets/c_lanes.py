@@ -61,6 +61,10 @@ class LaneText:
         vector = f"{self._vector}_mask" if statement.truth else self._vector
         return f"const {vector if value.lanes else scalar} {statement.name} = {value.text};"
 
+    def declare(self, name: str, *, lanes: bool) -> None:
+        """A value got its name elsewhere."""
+        self._lanes[name] = lanes
+
     def vector(self, expression: Expression) -> str:
         """An expression as a vector."""
         return self._all(self.text(expression)).text

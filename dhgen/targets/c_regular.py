@@ -8,18 +8,22 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import MINUS, flatten
-from dhgen.program.ir import Heading, Let
+from dhgen.program.ir import Apply, Heading, Let
 from dhgen.program.limits import Limits
 from dhgen.program.regular import regular
+from dhgen.program.schedule import names_in
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
+from dhgen.targets.c_packing import angle_lines, packed_angles
 from dhgen.targets.layout import WIDTH, call, listed, wrapped
 from dhgen.targets.scalar import pose_entries
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.program.flatten import Choice, Flat
-    from dhgen.program.ir import Expression, Program
+    from dhgen.program.ir import Expression, Program, Statement
     from dhgen.program.regular import Regular
     from dhgen.targets.module import SolverModule
 
@@ -97,7 +101,7 @@ def _arctangent() -> dict[str, object]:
             f"p0 = {fours[0]}",
             f"p4 = {fours[1]}",
             f"p8 = {pairs[4]} + {names[10]} * u2",
-            "p = p0 + p4 * u4 + p8 * u8",
+            "p = p0 + (p4 + p8 * u4) * u4",
         ],
         "tangent": repr(STEEP),
         "quarter": repr(math.pi / 4),
@@ -161,10 +165,11 @@ def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
     return row
 
 
-def _lets(flat: Flat, text: LaneText) -> list[str]:
+def _lets(statements: Iterable[Statement], text: LaneText) -> list[str]:
+    """Values under their headings."""
     lines: list[str] = []
     heading = ""
-    for statement in flat.program.body:
+    for statement in statements:
         if isinstance(statement, Heading):
             heading = C().comment(statement.text)
         elif isinstance(statement, Let):
@@ -175,10 +180,34 @@ def _lets(flat: Flat, text: LaneText) -> list[str]:
     return lines
 
 
+def _with_angles(flat: Flat, text: LaneText) -> list[str]:
+    """Values, first those without angles, then the angles together, then the others."""
+    late: set[str] = set()
+    first: list[Statement] = []
+    angles: list[Let] = []
+    last: list[Statement] = []
+    for statement in flat.program.body:
+        if not isinstance(statement, Let):
+            first.append(statement)
+        elif names_in([statement.expression]) & late:
+            late.add(statement.name)
+            last.append(statement)
+        elif isinstance(statement.expression, Apply) and statement.expression.operator == "atan2":
+            late.add(statement.name)
+            angles.append(statement)
+        else:
+            first.append(statement)
+    places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
+    lines = [*_lets(first, text), ""]
+    for line in angle_lines(packed_angles(angles, places), text):
+        lines += wrapped(INDENT + line, INDENT)
+    return [*lines, *_lets(last, text)]
+
+
 def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
     """One lane a pose."""
     text = LaneText("wide", flat.program, wide=True)
-    lines = [*entry_lines(flat.program, "wide"), *_lets(flat, text), ""]
+    lines = [*entry_lines(flat.program, "wide"), *_lets(flat.program.body, text), ""]
     dof = module.chain.dof
     for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
         row = _row(module, flat, choice, 0)
@@ -217,7 +246,7 @@ def _one(module: SolverModule, flat: Flat) -> dict[str, object]:
         f"{INDENT}const four {axis.name} = {{ {signs} }};"
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
-    lines += [*entry_lines(flat.program), *_lets(flat, text), ""]
+    lines += [*entry_lines(flat.program), *_with_angles(flat, text), ""]
     given = ", ".join(["T", *(["free_joints"] if module.chain.free else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     lines.append(f"{INDENT}if (!(irregularity_double({given}) <= {limit}))")

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.problem import task_entries
 from dhgen.program.count import count_operations
 from dhgen.program.flatten import flatten
 from dhgen.program.interpret import Rows, interpret, outputs
@@ -54,17 +55,29 @@ def cases(name: str) -> tuple[FloatArray, FloatArray, Rows]:
     return T, free, interpret(of.program, T, np.zeros_like(q), free)
 
 
-def assert_same(rows: Rows, q: FloatArray, doubt: NDArray[Any] | np.bool_) -> None:
-    """Rows (N, B, n) where there is no doubt (N,)."""
+def assert_same(name: str, q: FloatArray, doubt: NDArray[Any] | np.bool_) -> None:
+    """Rows (N, B, n) where there is no doubt (N,): the same, or as good where that says little."""
+    T, _, rows = cases(name)
     sure = ~np.asarray(doubt, dtype=bool)
     assert sure[: COUNT // 2].mean() > 0.95
     missing = np.isnan(q)
     assert (missing.any(-1) == missing.all(-1))[sure].all()
     assert (missing.any(-1) == ~rows.solved)[sure].all()
-    miss = np.nan_to_num(np.abs(q - rows.q))[sure]
-    assert np.minimum(miss, np.abs(miss - 2 * np.pi)).max() < 1e-9
-    assert np.quantile(miss, 0.9) < 1e-14
     assert not rows.free[sure].any()
+    miss = np.nan_to_num(np.abs(q - rows.q))
+    miss = np.minimum(miss, np.abs(miss - 2 * np.pi))
+    assert miss[:COUNT][sure[:COUNT]].max() < 1e-9
+    assert miss[sure].max() < 1e-5  # beside a singularity a value hangs on the root of rounding
+    chain = story(name).derivation.problem.algebra.chain
+    size = np.where(np.arange(4) == 3, max(chain.size, 1.0), 1.0)
+    arm = numeric_arm(chain)
+    reached, meant = (arm.pose(np.nan_to_num(each[sure])) for each in (q, rows.q))
+    names = task_entries(chain.task)
+    entries = [(int(entry[1]) - 1, int(entry[2]) - 1) for entry in names]
+    for i, j in entries:
+        off = np.abs(reached - T[sure][:, None])[..., i, j] / size[j]
+        known = np.abs(meant - T[sure][:, None])[..., i, j] / size[j]
+        assert np.where(missing[sure].any(-1), 0.0, off - known).max() < 1e-12
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -76,13 +89,14 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     found = outputs(solver.program, T, None, free)
     doubts = np.stack([*found[len(found) - len(solver.doubts) :], np.zeros_like(found[0])])
     doubt = np.asarray(doubts).any(axis=(0, 2))
-    assert_same(rows, np.stack(found[: len(solver.joints)], axis=-1), doubt)
+    assert_same(name, np.stack(found[: len(solver.joints)], axis=-1), doubt)
 
     flat = flatten(solver)
     assert flat.program.axes == ()
     found = outputs(flat.program, T, None, free)
-    q = np.stack([column[:, 0] for column in found[:-1]], axis=-1).reshape(rows.q.shape)
-    assert_same(rows, q, found[-1][:, 0])
+    values = found[: flat.joints * len(flat.choices)]
+    q = np.stack([column[:, 0] for column in values], axis=-1).reshape(rows.q.shape)
+    assert_same(name, q, np.zeros(len(T)) if flat.doubt is None else found[-1][:, 0])
 
 
 @pytest.mark.parametrize("name", ["puma560", "ur5", "kuka_kr6_r900"])
@@ -98,17 +112,17 @@ def test_some_branches_stay_as_lanes(name: str, lanes: tuple[int, ...]) -> None:
     order = [*flat.lanes, *flat.unrolled]  # the axes as they stand in the groups
     split = groups.reshape(len(T), *(2 for _ in order), flat.joints)
     q = split.transpose(0, *(1 + order.index(axis) for axis in range(len(order))), -1)
-    assert_same(rows, q.reshape(rows.q.shape), found[-1].any(-1))
+    assert_same(name, q.reshape(rows.q.shape), found[-1].any(-1))
 
 
 @pytest.mark.parametrize(
     ("name", "arctangents", "square_roots", "divisions"),
     [
-        ("kuka_kr6_r900", 21, 11, 9),
-        ("ur5", 20, 15, 11),
-        ("puma560", 20, 10, 9),
+        ("kuka_kr6_r900", 19, 11, 5),
+        ("ur5", 20, 7, 3),
+        ("puma560", 19, 10, 5),
         ("rrprrr", 5, 3, 3),
-        ("scara", 4, 7, 3),
+        ("scara", 4, 5, 3),
     ],
 )
 def test_operations_of_narrow_types(

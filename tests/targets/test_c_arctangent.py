@@ -1,0 +1,67 @@
+"""The C's own arctangent: within 2 units in the last place, signs of zero kept, NaN handed on."""
+
+from __future__ import annotations
+
+import subprocess
+
+import pytest
+
+from tests.targets.made import folder, made
+
+DRIVER = """
+#include "scara.c"
+#include <stdio.h>
+#if LANES > 1
+static double found(double y, double x)
+{
+    const four a = atan2_four(all_four(y), all_four(x));
+    const wide b = atan2_wide(all_wide(y), all_wide(x));
+    return a[1] == b[2] || (a[1] != a[1] && b[2] != b[2]) ? a[3] : 1e9;
+}
+#else
+static double found(double y, double x) { return atan2_wide(y, x); }
+#endif
+int main(void)
+{
+    long double worst = 0;
+    unsigned long long state = 88172645463325252ULL;
+    for (int k = 0; k < 400000; k++) {
+        double v[2];
+        for (int i = 0; i < 2; i++) {
+            state ^= state << 13; state ^= state >> 7; state ^= state << 17;
+            v[i] = (double)(long long)state * 0x1p-63;
+            if (k % 4 == 1) v[i] = ldexp(v[i], (int)(state % 120) - 60);
+            if (k % 4 == 2) v[i] = (v[i] < 0 ? -1.0 : 1.0) * (1.0 + 1e-7 * v[i]);
+            if (k % 4 == 3 && i) v[1] = v[0] * (0.41421356237309503 + 1e-9 * v[1]);
+        }
+        const double y = k % 8 < 4 ? v[0] : v[1], x = k % 8 < 4 ? v[1] : v[0];
+        const long double exact = atan2l(y, x), miss = fabsl(found(y, x) - exact);
+        const double size = fabs((double)exact);
+        const long double ulps = miss / (nextafter(size, HUGE_VAL) - size);
+        worst = ulps > worst ? ulps : worst;
+    }
+    const double zero = found(0.0, 1.0), minus = found(-0.0, 1.0);
+    const double half = found(0.0, -1.0), back = found(-0.0, -1.0);
+    const int signs = zero == 0.0 && !signbit(zero) && minus == 0.0 && signbit(minus)
+        && half == atan2(0.0, -1.0) && back == -half
+        && found(1.0, 0.0) == atan2(1.0, 0.0) && found(-1.0, -0.0) == atan2(-1.0, -0.0);
+    const int nan = isnan(found(NAN, 1.0)) && isnan(found(1.0, NAN)) && isnan(found(NAN, NAN))
+        && isnan(found(-0.5, NAN)) && isnan(found(NAN, 0.0));
+    printf("%Lf %d %d\\n", worst, signs, nan);
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("flags", ["-O1", "-O3 -mavx2 -mfma", "-O3 -march=native"])
+def test_arctangent(flags: str) -> None:
+    made("scara")
+    (folder() / "arctangent.c").write_text(DRIVER)
+    program = folder() / f"arctangent{flags.replace(' ', '')}"
+    fast = ["-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast"]
+    command = ["gcc", "-std=c99", *flags.split(), *fast, "arctangent.c", "-o", str(program), "-lm"]
+    subprocess.run(command, check=True, cwd=folder())
+    done = subprocess.run([program], check=True, capture_output=True, text=True)
+    worst, signs, nan = done.stdout.split()
+    assert 0.4 < float(worst) < 2.0
+    assert (signs, nan) == ("1", "1")
