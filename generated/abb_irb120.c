@@ -35,6 +35,7 @@ static const double k1 = 0.16308; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.03780000000000001; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.16900400000000002; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 35.683793403054324; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+static const double turn1 = 1.3430303610541368; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.879790001; /* lowest value of joint 1 */
 static const double high1 = 2.879790001; /* highest value of joint 1 */
@@ -46,8 +47,11 @@ static const double low4 = -2.7925300010000003; /* lowest value of joint 4 */
 static const double high4 = 2.7925300010000003; /* highest value of joint 4 */
 static const double low5 = -2.094395001; /* lowest value of joint 5 */
 static const double high5 = 2.094395001; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.0080160000000003e-24; /* free_limit1^2 [m^2] */
+static const double m2 = 1.0160962562560006e-48; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m4 */
 
 const char *const abb_irb120_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -294,25 +298,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -346,25 +352,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -379,25 +387,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -439,56 +449,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide X1 = d6 * T11 - T14;
     const wide t24 = T24 - d6 * T21;
-    const wide w1 = sqrt_wide(X1 * X1 + t24 * t24);
+    const wide v1 = X1 * X1 + t24 * t24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = X1 * factor1;
+    const wide v2 = X1 * factor1;
     const wide s1 = t24 * factor1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = v1 + Z1_3 * Z1_3;
     const wide K3 = N3 - k3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v2 = k1 * K3;
-    const wide v3 = k2 * w3;
-    const wide s3_p = k4 * (v3 - v2);
-    const wide v4 = k4 * (v2 + v3);
-    const wide v5 = k2 * K3;
-    const wide v6 = k1 * w3;
-    const wide c3_p = k4 * (v5 + v6);
-    const wide c3_m = k4 * (v5 - v6);
-    const wide q3_ppp = atan2_wide(s3_p, c3_p);
-    const wide q3_pmp = atan2_wide(-v4, c3_m);
+    const wide v3 = w3 - w3;
+    const wide v4 = k1 * K3;
+    const wide v5 = k2 * w3;
+    const wide s3_p = k4 * (v5 - v4);
+    const wide v6 = k4 * (v4 + v5);
+    const wide v7 = k2 * K3;
+    const wide v8 = k1 * w3;
+    const wide c3_p = k4 * (v7 + v8);
+    const wide c3_m = k4 * (v7 - v8);
+    const wide angle1 = atan2_wide(w3, K3);
+    const wide q3__p = angle1 - turn1;
+    const wide v9 = turn1 + angle1;
 
     /* theta2 */
     const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v4);
+    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v6);
     const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v4;
-    const wide v7 = Z1_3 * X1_2_p;
-    const wide v8 = Z1_3 * X1_2_m;
-    const wide v9 = w1 * Y1_2_p;
-    const wide v10 = w1 * Y1_2_m;
-    const wide S2_pp = v7 - v9;
-    const wide S2_pm = v8 - v10;
-    const wide S2_mp = v7 + v9;
-    const wide S2_mm = v8 + v10;
-    const wide v11 = w1 * X1_2_p;
-    const wide v12 = w1 * X1_2_m;
-    const wide v13 = Z1_3 * Y1_2_p;
-    const wide v14 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v11 + v13;
-    const wide C2_pm = v12 + v14;
-    const wide C2_mp = v13 - v11;
-    const wide C2_mm = v14 - v12;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide Y1_2_m = d4 * c3_m - a3 * v6;
+    const wide v10 = Z1_3 * X1_2_p;
+    const wide v11 = Z1_3 * X1_2_m;
+    const wide v12 = w1 * Y1_2_p;
+    const wide v13 = w1 * Y1_2_m;
+    const wide S2_pp = v10 - v12;
+    const wide S2_pm = v11 - v13;
+    const wide S2_mp = v10 + v12;
+    const wide S2_mm = v11 + v13;
+    const wide v14 = w1 * X1_2_p;
+    const wide v15 = w1 * X1_2_m;
+    const wide v16 = Z1_3 * Y1_2_p;
+    const wide v17 = Z1_3 * Y1_2_m;
+    const wide C2_pp = v14 + v16;
+    const wide C2_pm = v15 + v17;
+    const wide C2_mp = v16 - v14;
+    const wide C2_mm = v17 - v15;
+    const wide v18 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v19 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v20 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v21 = S2_mm * S2_mm + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v18);
+    const wide factor2_pm = 1.0 / sqrt_wide(v19);
+    const wide factor2_mp = 1.0 / sqrt_wide(v20);
+    const wide factor2_mm = 1.0 / sqrt_wide(v21);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
@@ -500,136 +513,129 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta4 */
     const wide c23_pp = c3_p * c2_pp - s3_p * s2_pp;
-    const wide c23_pm = c3_m * c2_pm + v4 * s2_pm;
+    const wide c23_pm = c3_m * c2_pm + v6 * s2_pm;
     const wide c23_mp = c3_p * c2_mp - s3_p * s2_mp;
-    const wide c23_mm = c3_m * c2_mm + v4 * s2_mm;
+    const wide c23_mm = c3_m * c2_mm + v6 * s2_mm;
     const wide s23_pp = c3_p * s2_pp + s3_p * c2_pp;
-    const wide s23_pm = c3_m * s2_pm - v4 * c2_pm;
+    const wide s23_pm = c3_m * s2_pm - v6 * c2_pm;
     const wide s23_mp = c3_p * s2_mp + s3_p * c2_mp;
-    const wide s23_mm = c3_m * s2_mm - v4 * c2_mm;
-    const wide v15 = T21 * s1 - T11 * v1;
-    const wide v16 = T31 * s23_pp + c23_pp * v15;
-    const wide v17 = T31 * s23_pm + c23_pm * v15;
-    const wide v18 = T31 * s23_mp - c23_mp * v15;
-    const wide v19 = T31 * s23_mm - c23_mm * v15;
-    const wide v20 = T21 * v1 + T11 * s1;
-    const wide v21 = v20 * v20;
-    const wide w4_pp = sqrt_wide(v21 + v16 * v16);
-    const wide w4_pm = sqrt_wide(v21 + v17 * v17);
-    const wide w4_mp = sqrt_wide(v21 + v18 * v18);
-    const wide w4_mm = sqrt_wide(v21 + v19 * v19);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide c4_pp = v16 * factor4_pp;
-    const wide c4_pm = v17 * factor4_pm;
-    const wide c4_mp = v18 * factor4_mp;
-    const wide c4_mm = v19 * factor4_mm;
-    const wide v22 = v20 * factor4_pp;
-    const wide v23 = v20 * factor4_pm;
-    const wide v24 = v20 * factor4_mp;
-    const wide v25 = v20 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v22, c4_pp);
-    const wide q4_pmp = atan2_wide(-v23, c4_pm);
-    const wide q4_mpp = atan2_wide(v24, c4_mp);
-    const wide q4_mmp = atan2_wide(v25, c4_mm);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v22) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v23) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), v24) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), v25) * h1;
+    const wide s23_mm = c3_m * s2_mm - v6 * c2_mm;
+    const wide v22 = T21 * s1 - T11 * v2;
+    const wide c4_pp = T31 * s23_pp + c23_pp * v22;
+    const wide c4_pm = T31 * s23_pm + c23_pm * v22;
+    const wide c4_mp = T31 * s23_mp - c23_mp * v22;
+    const wide c4_mm = T31 * s23_mm - c23_mm * v22;
+    const wide v23 = T21 * v2 + T11 * s1;
+    const wide v24 = v23 * v23;
+    const wide v25 = v24 + c4_pp * c4_pp;
+    const wide v26 = v24 + c4_pm * c4_pm;
+    const wide v27 = v24 + c4_mp * c4_mp;
+    const wide v28 = v24 + c4_mm * c4_mm;
+    const wide angle1_ = atan2_wide(-v23, c4_pp);
+    const wide angle1__ = atan2_wide(-v23, c4_pm);
+    const wide angle1___ = atan2_wide(v23, c4_mp);
+    const wide angle1____ = atan2_wide(v23, c4_mm);
+    const wide v29 = copysign_wide(all_wide(half_turn), -v23) * h1;
+    const wide v30 = copysign_wide(all_wide(half_turn), v23) * h1;
+    const wide q4_ppm = angle1_ - v29;
+    const wide q4_pmm = angle1__ - v29;
+    const wide q4_mpm = angle1___ - v30;
+    const wide q4_mmm = angle1____ - v30;
 
     /* theta6 */
-    const wide v26 = s1 * T12 + v1 * T22;
-    const wide v27 = s1 * T22 - v1 * T12;
-    const wide v28 = v1 * T23 + s1 * T13;
-    const wide v29 = s1 * T23 - v1 * T13;
-    const wide v30 = v22 * (s23_pp * T33 + c23_pp * v29) - c4_pp * v28;
-    const wide v31 = v23 * (s23_pm * T33 + c23_pm * v29) - c4_pm * v28;
-    const wide v32 = c4_mp * v28 - v24 * (s23_mp * T33 - c23_mp * v29);
-    const wide v33 = c4_mm * v28 - v25 * (s23_mm * T33 - c23_mm * v29);
-    const wide q6_ppp = atan2_wide(v30, c4_pp * v26 - v22 * (s23_pp * T32 + c23_pp * v27));
-    const wide q6_pmp = atan2_wide(v31, c4_pm * v26 - v23 * (s23_pm * T32 + c23_pm * v27));
-    const wide q6_mpp = atan2_wide(v32, v24 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26);
-    const wide q6_mmp = atan2_wide(v33, v25 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v30);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v31);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v32);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v33);
+    const wide v31 = s1 * T12 + v2 * T22;
+    const wide v32 = s1 * T22 - v2 * T12;
+    const wide v33 = v2 * T23 + s1 * T13;
+    const wide v34 = s1 * T23 - v2 * T13;
+    const wide v35 = v23 * (s23_pp * T33 + c23_pp * v34) - c4_pp * v33;
+    const wide v36 = v23 * (s23_pm * T33 + c23_pm * v34) - c4_pm * v33;
+    const wide v37 = c4_mp * v33 - v23 * (s23_mp * T33 - c23_mp * v34);
+    const wide v38 = c4_mm * v33 - v23 * (s23_mm * T33 - c23_mm * v34);
+    const wide angle1_____ = atan2_wide(v35, c4_pp * v31 - v23 * (s23_pp * T32 + c23_pp * v32));
+    const wide angle1______ = atan2_wide(v36, c4_pm * v31 - v23 * (s23_pm * T32 + c23_pm * v32));
+    const wide angle1_______ = atan2_wide(v37, v23 * (s23_mp * T32 - c23_mp * v32) - c4_mp * v31);
+    const wide angle1________ = atan2_wide(v38, v23 * (s23_mm * T32 - c23_mm * v32) - c4_mm * v31);
+    const wide q6_ppm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v35);
+    const wide q6_pmm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v36);
+    const wide q6_mpm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v37);
+    const wide q6_mmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v38);
 
     /* joint values */
-    const wide v34 = atan2_wide(s1, -v1);
-    const wide v35 = v34 - offset1;
-    const wide v36 = v34 - h1 * copysign_wide(all_wide(half_turn), s1) - offset1;
-    const wide q1__p = v35 + pick_wide(v35 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q1__m = v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v37 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v38 = atan2_wide(s2_pm, c2_pm) - offset2;
-    const wide v39 = atan2_wide(s2_mp, c2_mp) - offset2;
-    const wide v40 = atan2_wide(s2_mm, c2_mm) - offset2;
-    const wide q2_ppp = v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v39 + pick_wide(v39 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v41 = atan2_wide(w4_pp, s23_pp * v15 - T31 * c23_pp);
-    const wide v42 = atan2_wide(w4_pm, s23_pm * v15 - T31 * c23_pm);
-    const wide v43 = atan2_wide(w4_mp, -(s23_mp * v15 + T31 * c23_mp));
-    const wide v44 = atan2_wide(w4_mm, -(s23_mm * v15 + T31 * c23_mm));
-    const wide v45 = v41 - offset5;
-    const wide v46 = offset5 + v41;
-    const wide v47 = v42 - offset5;
-    const wide v48 = offset5 + v42;
-    const wide v49 = v43 - offset5;
-    const wide v50 = offset5 + v43;
-    const wide v51 = v44 - offset5;
-    const wide v52 = offset5 + v44;
-    const wide q5_ppp = v45 + pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v46 <= -half_turn, all_wide(m2), all_wide(0.0)) - v46;
-    const wide q5_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - v48;
-    const wide q5_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v50 <= -half_turn, all_wide(m2), all_wide(0.0)) - v50;
-    const wide q5_mmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - v52;
+    const wide angle1_________ = atan2_wide(t24, -X1);
+    const wide v39 = angle1_________ - offset1;
+    const wide v40 = angle1_________ - h1 * copysign_wide(all_wide(half_turn), t24) - offset1;
+    const wide q1__p = v39 + pick_wide(v39 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q1__m = v40 + pick_wide(v40 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(S2_pp, C2_pp);
+    const wide v41 = angle1__________ - offset2;
+    const wide angle1___________ = atan2_wide(S2_pm, C2_pm);
+    const wide v42 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(S2_mp, C2_mp);
+    const wide v43 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(S2_mm, C2_mm);
+    const wide v44 = angle1_____________ - offset2;
+    const wide q2_ppp = v41 + pick_wide(v41 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v42 + pick_wide(v42 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v43 + pick_wide(v43 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v44 + pick_wide(v44 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v25), s23_pp * v22 - T31 * c23_pp);
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v26), s23_pm * v22 - T31 * c23_pm);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v27), -(s23_mp * v22 + T31 * c23_mp));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v28), -(s23_mm * v22 + T31 * c23_mm));
+    const wide v45 = angle1______________ - offset5;
+    const wide v46 = offset5 + angle1______________;
+    const wide v47 = angle1_______________ - offset5;
+    const wide v48 = offset5 + angle1_______________;
+    const wide v49 = angle1________________ - offset5;
+    const wide v50 = offset5 + angle1________________;
+    const wide v51 = angle1_________________ - offset5;
+    const wide v52 = offset5 + angle1_________________;
+    const wide q5_ppp = v45 + pick_wide(v45 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v46 <= -half_turn, all_wide(m5), all_wide(0.0)) - v46;
+    const wide q5_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v48 <= -half_turn, all_wide(m5), all_wide(0.0)) - v48;
+    const wide q5_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v50 <= -half_turn, all_wide(m5), all_wide(0.0)) - v50;
+    const wide q5_mmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v52 <= -half_turn, all_wide(m5), all_wide(0.0)) - v52;
+    const wide q3_ppp = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_pmp = pick_wide(-v9 <= -half_turn, all_wide(m5), all_wide(0.0)) - v9;
     const wide_mask v53 = (q1__p < low1) | (high1 < q1__p);
     const wide_mask v54 = (q1__m < low1) | (high1 < q1__m);
     const wide_mask v55 = (q3_ppp < low3) | (high3 < q3_ppp);
     const wide_mask v56 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide v57 = w3 - w3;
-    const wide q1_ppp = q1__p + v57;
-    const wide q1_mpp = q1__m + v57;
-    const wide_mask v58 = v55 | (v53 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v59 = v56 | (v53 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v60 = v55 | (v54 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v61 = v56 | (v54 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = ((q5_ppp < low5) | (high5 < q5_ppp)) | (v58 | ((q4_ppp < low4) |
-        (high4 < q4_ppp)));
-    const wide_mask outside_ppm = ((q5_ppm < low5) | (high5 < q5_ppm)) | (v58 | ((q4_ppm < low4) |
+    const wide q1_ppp = v3 + q1__p;
+    const wide q1_mpp = v3 + q1__m;
+    const wide_mask v57 = v55 | (v53 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v58 = v56 | (v53 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v59 = v55 | (v54 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v60 = v56 | (v54 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = ((q5_ppp < low5) | (high5 < q5_ppp)) | (v57 | ((angle1_ < low4) |
+        (high4 < angle1_)));
+    const wide_mask outside_ppm = ((q5_ppm < low5) | (high5 < q5_ppm)) | (v57 | ((q4_ppm < low4) |
         (high4 < q4_ppm)));
-    const wide_mask outside_pmp = ((q5_pmp < low5) | (high5 < q5_pmp)) | (v59 | ((q4_pmp < low4) |
-        (high4 < q4_pmp)));
-    const wide_mask outside_pmm = ((q5_pmm < low5) | (high5 < q5_pmm)) | (v59 | ((q4_pmm < low4) |
+    const wide_mask outside_pmp = ((q5_pmp < low5) | (high5 < q5_pmp)) | (v58 | ((angle1__ < low4) |
+        (high4 < angle1__)));
+    const wide_mask outside_pmm = ((q5_pmm < low5) | (high5 < q5_pmm)) | (v58 | ((q4_pmm < low4) |
         (high4 < q4_pmm)));
-    const wide_mask outside_mpp = ((q5_mpp < low5) | (high5 < q5_mpp)) | (v60 | ((q4_mpp < low4) |
-        (high4 < q4_mpp)));
-    const wide_mask outside_mpm = ((q5_mpm < low5) | (high5 < q5_mpm)) | (v60 | ((q4_mpm < low4) |
+    const wide_mask outside_mpp = ((q5_mpp < low5) | (high5 < q5_mpp)) | (v59 | ((angle1___ < low4)
+        | (high4 < angle1___)));
+    const wide_mask outside_mpm = ((q5_mpm < low5) | (high5 < q5_mpm)) | (v59 | ((q4_mpm < low4) |
         (high4 < q4_mpm)));
-    const wide_mask outside_mmp = ((q5_mmp < low5) | (high5 < q5_mmp)) | (v61 | ((q4_mmp < low4) |
-        (high4 < q4_mmp)));
-    const wide_mask outside_mmm = ((q5_mmm < low5) | (high5 < q5_mmm)) | (v61 | ((q4_mmm < low4) |
+    const wide_mask outside_mmp = ((q5_mmp < low5) | (high5 < q5_mmp)) | (v60 | ((angle1____ < low4)
+        | (high4 < angle1____)));
+    const wide_mask outside_mmm = ((q5_mmm < low5) | (high5 < q5_mmm)) | (v60 | ((q4_mmm < low4) |
         (high4 < q4_mmm)));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((w2_pp <= free_limit_squared2)
-        | (w4_pp <= free_limit)))));
+    const wide_mask doubt = ((v21 <= m2) | (v28 <= m3)) | (((v20 <= m2) | (v27 <= m3)) | (((v19 <=
+        m2) | (v26 <= m3)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((v18 <= m2) | (v25 <= m3)))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1_;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1_____;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -641,9 +647,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[15] = angle1__;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1______;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -655,9 +661,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
+    q[27] = angle1___;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1_______;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -669,9 +675,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
+    q[39] = angle1____;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1________;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -748,7 +754,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m4 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -762,94 +768,97 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double X1 = d6 * T11 - T14;
     const double t24 = T24 - d6 * T21;
-    const double w1 = sqrt(X1 * X1 + t24 * t24);
+    const double v1 = X1 * X1 + t24 * t24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = X1 * factor1;
+    const double v2 = X1 * factor1;
     const double s1 = t24 * factor1;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = v1 + Z1_3 * Z1_3;
     const double K3 = N3 - k3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v2 = k1 * K3;
-    const double v3 = k2 * w3;
-    const four s3 = k4 * (e2 * v3 - v2);
-    const double v4 = k2 * K3;
-    const double v5 = k1 * w3;
-    const four c3 = k4 * (v4 + e2 * v5);
-    const four q3_p = atan2_four(s3, c3);
+    const double v3 = w3 - w3;
+    const double v4 = k1 * K3;
+    const double v5 = k2 * w3;
+    const four s3 = k4 * (e2 * v5 - v4);
+    const double v6 = k2 * K3;
+    const double v7 = k1 * w3;
+    const four c3 = k4 * (v6 + e2 * v7);
 
     /* theta2 */
     const four X1_2 = a2 + (a3 * c3 - d4 * s3);
     const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v6 = Z1_3 * X1_2;
-    const four v7 = w1 * Y1_2;
-    const four S2 = v6 - e1 * v7;
-    const four v8 = w1 * X1_2;
-    const four v9 = Z1_3 * Y1_2;
-    const four C2 = v9 + e1 * v8;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v8 = Z1_3 * X1_2;
+    const four v9 = w1 * Y1_2;
+    const four S2 = v8 - e1 * v9;
+    const four v10 = w1 * X1_2;
+    const four v11 = Z1_3 * Y1_2;
+    const four C2 = v11 + e1 * v10;
+    const four v12 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v12);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
     const four c23 = c3 * c2 - s3 * s2;
     const four s23 = c3 * s2 + s3 * c2;
-    const double v10 = T21 * s1 - T11 * v1;
-    const four v11 = T31 * s23 + e1 * (c23 * v10);
-    const double v12 = T21 * v1 + T11 * s1;
-    const double v13 = v12 * v12;
-    const four w4 = sqrt_four(v13 + v11 * v11);
-    const four factor4 = 1.0 / w4;
-    const four c4 = v11 * factor4;
-    const four v14 = v12 * factor4;
-    const four q4_p = atan2_four(-(e1 * v14), c4);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
+    const double v13 = T21 * s1 - T11 * v2;
+    const four c4 = T31 * s23 + e1 * (c23 * v13);
+    const double v14 = T21 * v2 + T11 * s1;
+    const double v15 = v14 * v14;
+    const four v16 = v15 + c4 * c4;
+    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
 
     /* theta6 */
-    const double v15 = s1 * T12 + v1 * T22;
-    const double v16 = s1 * T22 - v1 * T12;
-    const double v17 = v1 * T23 + s1 * T13;
-    const double v18 = s1 * T23 - v1 * T13;
-    const four v19 = e1 * (v14 * (s23 * T33 + e1 * (c23 * v18)) - c4 * v17);
-    const four q6_p = atan2_four(v19, e1 * (c4 * v15 - v14 * (s23 * T32 + e1 * (c23 * v16))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v19);
+    const double v18 = s1 * T12 + v2 * T22;
+    const double v19 = s1 * T22 - v2 * T12;
+    const double v20 = v2 * T23 + s1 * T13;
+    const double v21 = s1 * T23 - v2 * T13;
+    const four v22 = e1 * (v14 * (s23 * T33 + e1 * (c23 * v21)) - c4 * v20);
 
     /* joint values */
-    const four v20 = atan2_four(all_four(s1), all_four(-v1));
-    const double v21 = copysign(half_turn, s1);
-    const four v22 = v20 + v21 * (m1 * (e1 - 1.0)) - offset1;
-    const four q1_ = v22 + pick_four(v22 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v23 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v23 + pick_four(v23 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v24 = atan2_four(w4, e1 * (s23 * v10) - T31 * c23);
-    const four v25 = v24 - offset5;
-    const four v26 = offset5 + v24;
-    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m2), all_four(0.0)) - v26;
-    const four_mask v27 = (q1_ < low1) | (high1 < q1_);
-    const four_mask v28 = (q3_p < low3) | (high3 < q3_p);
-    const double v29 = w3 - w3;
-    const four q1_p = q1_ + v29;
-    const four_mask v30 = v28 | (v27 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = ((q5_p < low5) | (high5 < q5_p)) | (v30 | ((q4_p < low4) | (high4 <
-        q4_p)));
+    const double v23 = copysign(half_turn, t24);
+    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v12 <= m2) | (v16 <= m3));
+
+    const four angle1_ = atan2_four(-(e1 * v14), c4);
+    const four angle1__ = atan2_four(v22, e1 * (c4 * v18 - v14 * (s23 * T32 + e1 * (c23 * v19))));
+    const four angle1____ = atan2_four(S2, C2);
+    const four angle1_____ = atan2_four(sqrt_four(v16), e1 * (s23 * v13) - T31 * c23);
+    const four packed5 = atan2_four((four){ w3, t24, w3, w3 }, (four){ K3, -X1, K3, K3 });
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
+    const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1 - turn1;
+    const four q4_m = angle1_ - v17;
+    const four q6_m = angle1__ - h1 * copysign_four(all_four(half_turn), v22);
+    const four v24 = angle1___ + v23 * (m4 * (e1 - 1.0)) - offset1;
+    const four q1_ = v24 + pick_four(v24 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v25 = angle1____ - offset2;
+    const four q2_p = v25 + pick_four(v25 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v26 = angle1_____ - offset5;
+    const four v27 = offset5 + angle1_____;
+    const four q5_p = v26 + pick_four(v26 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v27 <= -half_turn, all_four(m5), all_four(0.0)) - v27;
+    const four q3_p = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
+    const four_mask v28 = (q1_ < low1) | (high1 < q1_);
+    const four_mask v29 = (q3_p < low3) | (high3 < q3_p);
+    const four q1_p = v3 + q1_;
+    const four_mask v30 = v29 | (v28 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = ((q5_p < low5) | (high5 < q5_p)) | (v30 | ((angle1_ < low4) | (high4
+        < angle1_)));
     const four_mask outside_m = ((q5_m < low5) | (high5 < q5_m)) | (v30 | ((q4_m < low4) | (high4 <
         q4_m)));
-    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1_);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1__);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -36,8 +36,11 @@ static const double k1 = 0.84; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.8499999999999999; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 1.4172335600907033; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 4.00600225e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 1.604805402700506e-47; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb1600_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -290,25 +293,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -342,25 +347,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -375,25 +382,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -435,11 +444,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide v1 = wx * wx + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = wx * factor1;
+    const wide v2 = wx * factor1;
     const wide s1 = Y1 * factor1;
-    const wide v2 = atan2_wide(s1, -v1);
+    const wide angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
@@ -450,174 +460,171 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide s3_p = k3 * (k1 * (N3_p - k2));
-    const wide s3_m = k3 * (k1 * (N3_m - k2));
-    const wide v6 = k3 * (k1 * w3_p);
-    const wide v7 = k3 * (k1 * w3_m);
+    const wide v6 = k1 * (N3_p - k2);
+    const wide v7 = k1 * (N3_m - k2);
+    const wide s3_p = k3 * v6;
+    const wide s3_m = k3 * v7;
+    const wide v8 = k1 * w3_p;
+    const wide v9 = k1 * w3_m;
+    const wide v10 = k3 * v8;
+    const wide v11 = k3 * v9;
 
     /* theta2 */
-    const wide v8 = d4 * v6;
-    const wide v9 = d4 * v7;
+    const wide v12 = d4 * v10;
+    const wide v13 = d4 * v11;
     const wide Y1_2_p = a2 + d4 * s3_p;
     const wide Y1_2_m = a2 + d4 * s3_m;
-    const wide v10 = Z1_3 * Y1_2_p;
-    const wide v11 = Z1_3 * Y1_2_m;
-    const wide v12 = v3 * v8;
-    const wide v13 = v4 * v9;
-    const wide S2_pp = v12 - v10;
-    const wide v14 = v10 + v12;
-    const wide S2_mp = v13 - v11;
-    const wide v15 = v11 + v13;
-    const wide v16 = v3 * Y1_2_p;
-    const wide v17 = v4 * Y1_2_m;
-    const wide v18 = Z1_3 * v8;
-    const wide v19 = Z1_3 * v9;
-    const wide v20 = v16 + v18;
-    const wide v21 = v16 - v18;
-    const wide v22 = v17 + v19;
-    const wide v23 = v17 - v19;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v20 * v20);
-    const wide w2_pm = sqrt_wide(v14 * v14 + v21 * v21);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v22 * v22);
-    const wide w2_mm = sqrt_wide(v15 * v15 + v23 * v23);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v24 = v20 * factor2_pp;
-    const wide v25 = v21 * factor2_pm;
-    const wide v26 = v22 * factor2_mp;
-    const wide v27 = v23 * factor2_mm;
+    const wide v14 = Z1_3 * Y1_2_p;
+    const wide v15 = Z1_3 * Y1_2_m;
+    const wide v16 = v3 * v12;
+    const wide v17 = v4 * v13;
+    const wide S2_pp = v16 - v14;
+    const wide v18 = v14 + v16;
+    const wide S2_mp = v17 - v15;
+    const wide v19 = v15 + v17;
+    const wide v20 = v3 * Y1_2_p;
+    const wide v21 = v4 * Y1_2_m;
+    const wide v22 = Z1_3 * v12;
+    const wide v23 = Z1_3 * v13;
+    const wide v24 = v20 + v22;
+    const wide v25 = v20 - v22;
+    const wide v26 = v21 + v23;
+    const wide v27 = v21 - v23;
+    const wide v28 = S2_pp * S2_pp + v24 * v24;
+    const wide v29 = v18 * v18 + v25 * v25;
+    const wide v30 = S2_mp * S2_mp + v26 * v26;
+    const wide v31 = v19 * v19 + v27 * v27;
+    const wide factor2_pp = 1.0 / sqrt_wide(v28);
+    const wide factor2_pm = 1.0 / sqrt_wide(v29);
+    const wide factor2_mp = 1.0 / sqrt_wide(v30);
+    const wide factor2_mm = 1.0 / sqrt_wide(v31);
+    const wide v32 = v24 * factor2_pp;
+    const wide v33 = v25 * factor2_pm;
+    const wide v34 = v26 * factor2_mp;
+    const wide v35 = v27 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
-    const wide v28 = v14 * factor2_pm;
+    const wide v36 = v18 * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
-    const wide v29 = v15 * factor2_mm;
+    const wide v37 = v19 * factor2_mm;
 
     /* theta4 */
-    const wide v30 = s3_p * s2_pp - v6 * v24;
-    const wide v31 = v6 * v25 - s3_p * v28;
-    const wide v32 = s3_m * s2_mp - v7 * v26;
-    const wide v33 = v7 * v27 - s3_m * v29;
-    const wide v34 = s3_p * v24 + v6 * s2_pp;
-    const wide v35 = s3_p * v25 + v6 * v28;
-    const wide v36 = s3_m * v26 + v7 * s2_mp;
-    const wide v37 = s3_m * v27 + v7 * v29;
-    const wide v38 = T23 * s1 - T13 * v1;
-    const wide X4_pp = v30 * v38 - T33 * v34;
-    const wide X4_pm = v31 * v38 - T33 * v35;
-    const wide v39 = v32 * v38 + T33 * v36;
-    const wide v40 = v33 * v38 + T33 * v37;
-    const wide v41 = T23 * v1 + T13 * s1;
-    const wide v42 = v41 * v41;
-    const wide w4_pp = sqrt_wide(v42 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v42 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v42 + v39 * v39);
-    const wide w4_mm = sqrt_wide(v42 + v40 * v40);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v43 = X4_pp * factor4_pp;
-    const wide v44 = X4_pm * factor4_pm;
-    const wide v45 = v39 * factor4_mp;
-    const wide v46 = v40 * factor4_mm;
-    const wide v47 = v41 * factor4_pp;
-    const wide v48 = v41 * factor4_pm;
-    const wide v49 = v41 * factor4_mp;
-    const wide v50 = v41 * factor4_mm;
+    const wide v38 = s3_p * s2_pp - v10 * v32;
+    const wide v39 = v10 * v33 - s3_p * v36;
+    const wide v40 = s3_m * s2_mp - v11 * v34;
+    const wide v41 = v11 * v35 - s3_m * v37;
+    const wide v42 = s3_p * v32 + v10 * s2_pp;
+    const wide v43 = s3_p * v33 + v10 * v36;
+    const wide v44 = s3_m * v34 + v11 * s2_mp;
+    const wide v45 = s3_m * v35 + v11 * v37;
+    const wide v46 = T23 * s1 - T13 * v2;
+    const wide X4_pp = v38 * v46 - T33 * v42;
+    const wide X4_pm = v39 * v46 - T33 * v43;
+    const wide v47 = v40 * v46 + T33 * v44;
+    const wide v48 = v41 * v46 + T33 * v45;
+    const wide v49 = T23 * v2 + T13 * s1;
+    const wide v50 = v49 * v49;
+    const wide v51 = v50 + X4_pp * X4_pp;
+    const wide v52 = v50 + X4_pm * X4_pm;
+    const wide v53 = v50 + v47 * v47;
+    const wide v54 = v50 + v48 * v48;
 
     /* theta6 */
-    const wide v51 = s1 * T12 + v1 * T22;
-    const wide v52 = s1 * T22 - v1 * T12;
-    const wide v53 = s1 * T11 + v1 * T21;
-    const wide v54 = s1 * T21 - v1 * T11;
-    const wide v55 = v47 * (v30 * v54 - v34 * T31) - v43 * v53;
-    const wide v56 = v48 * (v31 * v54 - v35 * T31) - v44 * v53;
-    const wide v57 = v49 * (v32 * v54 + v36 * T31) - v45 * v53;
-    const wide v58 = v50 * (v33 * v54 + v37 * T31) - v46 * v53;
-    const wide q6_ppp = atan2_wide(v55, v47 * (v30 * v52 - v34 * T32) - v43 * v51);
-    const wide q6_pmp = atan2_wide(v56, v48 * (v31 * v52 - v35 * T32) - v44 * v51);
-    const wide q6_mpp = atan2_wide(v57, v49 * (v32 * v52 + v36 * T32) - v45 * v51);
-    const wide q6_mmp = atan2_wide(v58, v50 * (v33 * v52 + v37 * T32) - v46 * v51);
-    const wide q6_ppm = q6_ppp - copysign_wide(all_wide(half_turn), v55) * h1;
-    const wide q6_pmm = q6_pmp - copysign_wide(all_wide(half_turn), v56) * h1;
-    const wide q6_mpm = q6_mpp - copysign_wide(all_wide(half_turn), v57) * h1;
-    const wide q6_mmm = q6_mmp - copysign_wide(all_wide(half_turn), v58) * h1;
+    const wide v55 = s1 * T12 + v2 * T22;
+    const wide v56 = s1 * T22 - v2 * T12;
+    const wide v57 = s1 * T11 + v2 * T21;
+    const wide v58 = s1 * T21 - v2 * T11;
+    const wide v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31);
+    const wide v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31);
+    const wide v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57;
+    const wide v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57;
+    const wide angle1_ = atan2_wide(v59, v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32));
+    const wide angle1__ = atan2_wide(v60, v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32));
+    const wide angle1___ = atan2_wide(v61, v49 * (v40 * v56 + v44 * T32) - v47 * v55);
+    const wide angle1____ = atan2_wide(v62, v49 * (v41 * v56 + v45 * T32) - v48 * v55);
+    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v59) * h1;
+    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v60) * h1;
+    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v61) * h1;
+    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v62) * h1;
 
     /* joint values */
-    const wide v59 = atan2_wide(s2_pp, -v24) - offset2;
-    const wide v60 = atan2_wide(-v28, -v25) - offset2;
-    const wide v61 = atan2_wide(s2_mp, -v26) - offset2;
-    const wide v62 = atan2_wide(-v29, -v27) - offset2;
-    const wide q2_ppp = v59 - pick_wide(half_turn < v59, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v60 - pick_wide(half_turn < v60, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v61 - pick_wide(half_turn < v61, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v62 - pick_wide(half_turn < v62, all_wide(m2), all_wide(0.0));
-    const wide v63 = atan2_wide(s3_p, -v6);
-    const wide v64 = atan2_wide(s3_m, -v7);
-    const wide v65 = v63 - offset3;
-    const wide v66 = h1 * copysign_wide(all_wide(half_turn), s3_p) - v63 - offset3;
-    const wide v67 = v64 - offset3;
-    const wide v68 = h1 * copysign_wide(all_wide(half_turn), s3_m) - v64 - offset3;
-    const wide q3_ppp = v65 + pick_wide(v65 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_mpp = v67 + pick_wide(v67 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_mmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v69 = atan2_wide(-v47, -v43);
-    const wide v70 = atan2_wide(-v48, -v44);
-    const wide v71 = atan2_wide(v49, v45);
-    const wide v72 = atan2_wide(v50, v46);
-    const wide v73 = v69 - offset4;
-    const wide v74 = v69 - h1 * copysign_wide(all_wide(half_turn), -v47) - offset4;
-    const wide v75 = v70 - offset4;
-    const wide v76 = v70 - h1 * copysign_wide(all_wide(half_turn), -v48) - offset4;
-    const wide v77 = v71 - offset4;
-    const wide v78 = v71 - h1 * copysign_wide(all_wide(half_turn), v49) - offset4;
-    const wide v79 = v72 - offset4;
-    const wide v80 = v72 - h1 * copysign_wide(all_wide(half_turn), v50) - offset4;
-    const wide q4_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_ppm = v74 + pick_wide(v74 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpp = v77 + pick_wide(v77 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpm = v78 + pick_wide(v78 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v81 = atan2_wide(w4_pp, T33 * v30 + v34 * v38);
-    const wide v82 = atan2_wide(w4_pm, T33 * v31 + v35 * v38);
-    const wide v83 = atan2_wide(w4_mp, T33 * v32 - v36 * v38);
-    const wide v84 = atan2_wide(w4_mm, T33 * v33 - v37 * v38);
-    const wide v85 = v81 - offset5;
-    const wide v86 = offset5 + v81;
-    const wide v87 = v82 - offset5;
-    const wide v88 = offset5 + v82;
-    const wide v89 = v83 - offset5;
-    const wide v90 = offset5 + v83;
-    const wide v91 = v84 - offset5;
-    const wide v92 = offset5 + v84;
-    const wide q5_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v86 <= -half_turn, all_wide(m2), all_wide(0.0)) - v86;
-    const wide q5_pmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v88 <= -half_turn, all_wide(m2), all_wide(0.0)) - v88;
-    const wide q5_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v90 <= -half_turn, all_wide(m2), all_wide(0.0)) - v90;
-    const wide q5_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v92 <= -half_turn, all_wide(m2), all_wide(0.0)) - v92;
-    const wide q1_ppp = v2 + (w3_p - w3_p);
-    const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide angle1_____ = atan2_wide(S2_pp, -v24);
+    const wide v63 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(-v18, -v25);
+    const wide v64 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(S2_mp, -v26);
+    const wide v65 = angle1_______ - offset2;
+    const wide angle1________ = atan2_wide(-v19, -v27);
+    const wide v66 = angle1________ - offset2;
+    const wide q2_ppp = v63 - pick_wide(half_turn < v63, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v64 - pick_wide(half_turn < v64, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v65 - pick_wide(half_turn < v65, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v66 - pick_wide(half_turn < v66, all_wide(m5), all_wide(0.0));
+    const wide angle1_________ = atan2_wide(v6, -v8);
+    const wide angle1__________ = atan2_wide(v7, -v9);
+    const wide v67 = angle1_________ - offset3;
+    const wide v68 = h1 * copysign_wide(all_wide(half_turn), v6) - angle1_________ - offset3;
+    const wide v69 = angle1__________ - offset3;
+    const wide v70 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
+    const wide q3_ppp = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_pmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_mpp = v69 + pick_wide(v69 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1___________ = atan2_wide(-v49, -X4_pp);
+    const wide angle1____________ = atan2_wide(-v49, -X4_pm);
+    const wide angle1_____________ = atan2_wide(v49, v47);
+    const wide angle1______________ = atan2_wide(v49, v48);
+    const wide v71 = h1 * copysign_wide(all_wide(half_turn), -v49);
+    const wide v72 = h1 * copysign_wide(all_wide(half_turn), v49);
+    const wide v73 = angle1___________ - offset4;
+    const wide v74 = angle1___________ - v71 - offset4;
+    const wide v75 = angle1____________ - offset4;
+    const wide v76 = angle1____________ - v71 - offset4;
+    const wide v77 = angle1_____________ - offset4;
+    const wide v78 = angle1_____________ - v72 - offset4;
+    const wide v79 = angle1______________ - offset4;
+    const wide v80 = angle1______________ - v72 - offset4;
+    const wide q4_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_ppm = v74 + pick_wide(v74 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpp = v77 + pick_wide(v77 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpm = v78 + pick_wide(v78 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v51), T33 * v38 + v42 * v46);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v52), T33 * v39 + v43 * v46);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v53), T33 * v40 - v44 * v46);
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v54), T33 * v41 - v45 * v46);
+    const wide v81 = angle1_______________ - offset5;
+    const wide v82 = offset5 + angle1_______________;
+    const wide v83 = angle1________________ - offset5;
+    const wide v84 = offset5 + angle1________________;
+    const wide v85 = angle1_________________ - offset5;
+    const wide v86 = offset5 + angle1_________________;
+    const wide v87 = angle1__________________ - offset5;
+    const wide v88 = offset5 + angle1__________________;
+    const wide q5_ppp = v81 + pick_wide(v81 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v82 <= -half_turn, all_wide(m5), all_wide(0.0)) - v82;
+    const wide q5_pmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v84 <= -half_turn, all_wide(m5), all_wide(0.0)) - v84;
+    const wide q5_mpp = v85 + pick_wide(v85 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v86 <= -half_turn, all_wide(m5), all_wide(0.0)) - v86;
+    const wide q5_mmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v88 <= -half_turn, all_wide(m5), all_wide(0.0)) - v88;
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
+    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt = ((v31 <= m3) | (v54 <= m4)) | (((v30 <= m3) | (v53 <= m4)) | (((v29 <=
+        m3) | (v52 <= m4)) | (((v28 <= m3) | (v51 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1_;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -631,7 +638,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1__;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -645,7 +652,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_mpp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1___;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -659,7 +666,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_mmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1____;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -736,7 +743,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -750,13 +757,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(wx * wx + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = wx * wx + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = wx * factor1;
+    const double v2 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -764,66 +771,71 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four s3 = k3 * (k1 * (N3 - k2));
-    const four v6 = k3 * (k1 * w3);
+    const four v6 = k1 * (N3 - k2);
+    const four s3 = k3 * v6;
+    const four v7 = k1 * w3;
+    const four v8 = k3 * v7;
 
     /* theta2 */
-    const four v7 = d4 * v6;
+    const four v9 = d4 * v8;
     const four Y1_2 = a2 + d4 * s3;
-    const four v8 = Z1_3 * Y1_2;
-    const four v9 = v4 * v7;
-    const four S2 = e2 * v9 - v8;
-    const four v10 = v4 * Y1_2;
-    const four v11 = Z1_3 * v7;
-    const four v12 = v10 + e2 * v11;
-    const four w2 = sqrt_four(S2 * S2 + v12 * v12);
-    const four factor2 = 1.0 / w2;
-    const four v13 = v12 * factor2;
+    const four v10 = Z1_3 * Y1_2;
+    const four v11 = v4 * v9;
+    const four S2 = e2 * v11 - v10;
+    const four v12 = v4 * Y1_2;
+    const four v13 = Z1_3 * v9;
+    const four v14 = v12 + e2 * v13;
+    const four v15 = S2 * S2 + v14 * v14;
+    const four factor2 = 1.0 / sqrt_four(v15);
+    const four v16 = v14 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v14 = s3 * s2 - e2 * (v6 * v13);
-    const four v15 = s3 * v13 + e2 * (v6 * s2);
-    const double v16 = T23 * s1 - T13 * v1;
-    const four X4 = e1 * (v14 * v16) - T33 * v15;
-    const double v17 = T23 * v1 + T13 * s1;
-    const double v18 = v17 * v17;
-    const four w4 = sqrt_four(v18 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v19 = X4 * factor4;
-    const four v20 = v17 * factor4;
+    const four v17 = s3 * s2 - e2 * (v8 * v16);
+    const four v18 = s3 * v16 + e2 * (v8 * s2);
+    const double v19 = T23 * s1 - T13 * v2;
+    const four X4 = e1 * (v17 * v19) - T33 * v18;
+    const double v20 = T23 * v2 + T13 * s1;
+    const double v21 = v20 * v20;
+    const four v22 = v21 + X4 * X4;
 
     /* theta6 */
-    const double v21 = s1 * T12 + v1 * T22;
-    const double v22 = s1 * T22 - v1 * T12;
-    const double v23 = s1 * T11 + v1 * T21;
-    const double v24 = s1 * T21 - v1 * T11;
-    const four v25 = e1 * (v20 * (e1 * (v14 * v24) - v15 * T31) - v19 * v23);
-    const four q6_p = atan2_four(v25, e1 * (v20 * (e1 * (v14 * v22) - v15 * T32) - v19 * v21));
-    const four q6_m = q6_p - copysign_four(all_four(half_turn), v25) * h1;
+    const double v23 = s1 * T12 + v2 * T22;
+    const double v24 = s1 * T22 - v2 * T12;
+    const double v25 = s1 * T11 + v2 * T21;
+    const double v26 = s1 * T21 - v2 * T11;
+    const four v27 = e1 * (v25 * -X4 + v20 * (e1 * (v17 * v26) - v18 * T31));
 
     /* joint values */
-    const four v26 = atan2_four(s2, -v13) - offset2;
-    const four q2_p = v26 - pick_four(half_turn < v26, all_four(m2), all_four(0.0));
-    const four v27 = atan2_four(s3, -v6);
-    const four v28 = copysign_four(all_four(half_turn), s3);
-    const four v29 = m1 * (1.0 - e2);
-    const four v30 = e2 * v27 + v28 * v29 - offset3;
-    const four q3_p = v30 + pick_four(v30 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v31 = atan2_four(-(e1 * v20), -v19);
-    const four v32 = v31 - offset4;
-    const four v33 = v31 - h1 * copysign_four(all_four(half_turn), -(e1 * v20)) - offset4;
-    const four q4_p = v32 + pick_four(v32 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q4_m = v33 + pick_four(v33 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v34 = atan2_four(w4, T33 * v14 + e1 * (v15 * v16));
-    const four v35 = v34 - offset5;
-    const four v36 = offset5 + v34;
-    const four q5_p = v35 + pick_four(v35 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v36 <= -half_turn, all_four(m2), all_four(0.0)) - v36;
-    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
+    const four v29 = copysign_four(all_four(half_turn), v6);
+    const four v30 = m2 * (1.0 - e2);
+    const four v32 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
     const four_mask v37 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v37;
+    const four_mask doubt = ((v15 <= m3) | (v22 <= m4)) | v37;
+
+    const four angle1_ = atan2_four(v27, e1 * (v23 * -X4 + v20 * (e1 * (v17 * v24) - v18 * T32)));
+    const four angle1__ = atan2_four(S2, -v14);
+    const four angle1____ = atan2_four(-(e1 * v20), -X4);
+    const four angle1_____ = atan2_four(sqrt_four(v22), T33 * v17 + e1 * (v18 * v19));
+    const four packed5 = atan2_four(__builtin_shufflevector(v6, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(-v7, all_four(-wx), 0, 5, 2, 3));
+    const four angle1___ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v27) * h1;
+    const four v28 = angle1__ - offset2;
+    const four q2_p = v28 - pick_four(half_turn < v28, all_four(m5), all_four(0.0));
+    const four v31 = e2 * angle1___ + v29 * v30 - offset3;
+    const four q3_p = v31 + pick_four(v31 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v33 = angle1____ - offset4;
+    const four v34 = angle1____ - v32 - offset4;
+    const four q4_p = v33 + pick_four(v33 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q4_m = v34 + pick_four(v34 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v35 = angle1_____ - offset5;
+    const four v36 = offset5 + angle1_____;
+    const four q5_p = v35 + pick_four(v35 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v36 <= -half_turn, all_four(m5), all_four(0.0)) - v36;
+    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
@@ -831,7 +843,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         return -1;
     int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1_);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -34,6 +34,7 @@ static const double k2 = 0.38325; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 2.84255; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 0.1268631397825131; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double turn1 = 1.4338633792358526; /* a constant angle [rad] */
 static const double low2 = -1.5707963277948966; /* lowest value of joint 2 */
 static const double high2 = 2.6179938789914945; /* highest value of joint 2 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
@@ -41,7 +42,11 @@ static const double low3 = -3.141592654589793; /* lowest value of joint 3 */
 static const double high3 = 1.3089969399957473; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.0943951033931953; /* highest value of joint 5 */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.1189024999999997e-23; /* free_limit1^2 [m^2] */
+static const double m3 = 1.2519428045062496e-46; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb4600_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -288,25 +293,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -340,25 +347,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -373,25 +382,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -433,11 +444,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide t14 = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(t14 * t14 + Y1 * Y1);
+    const wide v1 = t14 * t14 + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = t14 * factor1;
+    const wide v2 = t14 * factor1;
     const wide s1 = Y1 * factor1;
-    const wide v2 = atan2_wide(s1, -v1);
+    const wide angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
@@ -466,10 +478,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide c3_pm = k4 * (v12 - v14);
     const wide c3_mp = k4 * (v13 + v15);
     const wide c3_mm = k4 * (v13 - v15);
-    const wide q3__pp = atan2_wide(s3_pp, c3_pp);
-    const wide q3__pm = atan2_wide(-v10, c3_pm);
-    const wide q3__mp = atan2_wide(s3_mp, c3_mp);
-    const wide q3__mm = atan2_wide(-v11, c3_mm);
+    const wide angle1_ = atan2_wide(w3_p, K3_p);
+    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1_ - turn1;
+    const wide v16 = turn1 + angle1_;
+    const wide q3__mp = angle1__ - turn1;
+    const wide v17 = turn1 + angle1__;
 
     /* theta2 */
     const wide X1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp);
@@ -480,188 +494,192 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1_2_pm = d4 * c3_pm - a3 * v10;
     const wide Y1_2_mp = d4 * c3_mp + a3 * s3_mp;
     const wide Y1_2_mm = d4 * c3_mm - a3 * v11;
-    const wide v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
+    const wide v18 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
+    const wide v19 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
+    const wide v20 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
+    const wide v21 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
     const wide C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp;
     const wide C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm;
     const wide C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp;
     const wide C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(v16 * v16 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(v17 * v17 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v18 * v18 + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(v19 * v19 + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v22 = v18 * v18 + C2_pp * C2_pp;
+    const wide v23 = v19 * v19 + C2_pm * C2_pm;
+    const wide v24 = v20 * v20 + C2_mp * C2_mp;
+    const wide v25 = v21 * v21 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v22);
+    const wide factor2_pm = 1.0 / sqrt_wide(v23);
+    const wide factor2_mp = 1.0 / sqrt_wide(v24);
+    const wide factor2_mm = 1.0 / sqrt_wide(v25);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
     const wide c2_mm = C2_mm * factor2_mm;
-    const wide v20 = v16 * factor2_pp;
-    const wide v21 = v17 * factor2_pm;
-    const wide v22 = v18 * factor2_mp;
-    const wide v23 = v19 * factor2_mm;
-    const wide q2_ppp = atan2_wide(-v20, c2_pp);
-    const wide q2_pmp = atan2_wide(-v21, c2_pm);
-    const wide q2_mpp = atan2_wide(-v22, c2_mp);
-    const wide q2_mmp = atan2_wide(-v23, c2_mm);
+    const wide v26 = v18 * factor2_pp;
+    const wide v27 = v19 * factor2_pm;
+    const wide v28 = v20 * factor2_mp;
+    const wide v29 = v21 * factor2_mm;
+    const wide angle1___ = atan2_wide(-v18, C2_pp);
+    const wide angle1____ = atan2_wide(-v19, C2_pm);
+    const wide angle1_____ = atan2_wide(-v20, C2_mp);
+    const wide angle1______ = atan2_wide(-v21, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_pp * c2_pp + s3_pp * v20;
-    const wide c23_pm = c3_pm * c2_pm - v10 * v21;
-    const wide c23_mp = c3_mp * c2_mp + s3_mp * v22;
-    const wide c23_mm = c3_mm * c2_mm - v11 * v23;
-    const wide s23_pp = s3_pp * c2_pp - c3_pp * v20;
-    const wide v24 = v10 * c2_pm + c3_pm * v21;
-    const wide s23_mp = s3_mp * c2_mp - c3_mp * v22;
-    const wide v25 = v11 * c2_mm + c3_mm * v23;
-    const wide v26 = T23 * s1 - T13 * v1;
-    const wide X4_pp = T33 * c23_pp + s23_pp * v26;
-    const wide X4_pm = T33 * c23_pm - v24 * v26;
-    const wide X4_mp = T33 * c23_mp - s23_mp * v26;
-    const wide X4_mm = T33 * c23_mm + v25 * v26;
-    const wide v27 = T23 * v1 + T13 * s1;
-    const wide v28 = v27 * v27;
-    const wide w4_pp = sqrt_wide(v28 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v28 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v28 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v28 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v29 = X4_pp * factor4_pp;
-    const wide v30 = X4_pm * factor4_pm;
-    const wide v31 = X4_mp * factor4_mp;
-    const wide v32 = X4_mm * factor4_mm;
-    const wide v33 = v27 * factor4_pp;
-    const wide v34 = v27 * factor4_pm;
-    const wide v35 = v27 * factor4_mp;
-    const wide v36 = v27 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v33, -v29);
-    const wide q4_pmp = atan2_wide(-v34, -v30);
-    const wide q4_mpp = atan2_wide(v35, -v31);
-    const wide q4_mmp = atan2_wide(v36, -v32);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v33) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v34) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), v35) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), v36) * h1;
+    const wide c23_pp = c3_pp * c2_pp + s3_pp * v26;
+    const wide c23_pm = c3_pm * c2_pm - v10 * v27;
+    const wide c23_mp = c3_mp * c2_mp + s3_mp * v28;
+    const wide c23_mm = c3_mm * c2_mm - v11 * v29;
+    const wide s23_pp = s3_pp * c2_pp - c3_pp * v26;
+    const wide v30 = v10 * c2_pm + c3_pm * v27;
+    const wide s23_mp = s3_mp * c2_mp - c3_mp * v28;
+    const wide v31 = v11 * c2_mm + c3_mm * v29;
+    const wide v32 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * c23_pp + s23_pp * v32;
+    const wide X4_pm = T33 * c23_pm - v30 * v32;
+    const wide X4_mp = T33 * c23_mp - s23_mp * v32;
+    const wide X4_mm = T33 * c23_mm + v31 * v32;
+    const wide v33 = T23 * v2 + T13 * s1;
+    const wide v34 = v33 * v33;
+    const wide v35 = v34 + X4_pp * X4_pp;
+    const wide v36 = v34 + X4_pm * X4_pm;
+    const wide v37 = v34 + X4_mp * X4_mp;
+    const wide v38 = v34 + X4_mm * X4_mm;
+    const wide angle1_______ = atan2_wide(-v33, -X4_pp);
+    const wide angle1________ = atan2_wide(-v33, -X4_pm);
+    const wide angle1_________ = atan2_wide(v33, -X4_mp);
+    const wide angle1__________ = atan2_wide(v33, -X4_mm);
+    const wide v39 = copysign_wide(all_wide(half_turn), -v33) * h1;
+    const wide v40 = copysign_wide(all_wide(half_turn), v33) * h1;
+    const wide q4_ppm = angle1_______ - v39;
+    const wide q4_pmm = angle1________ - v39;
+    const wide q4_mpm = angle1_________ - v40;
+    const wide q4_mmm = angle1__________ - v40;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(w4_pp, c23_pp * v26 - T33 * s23_pp);
-    const wide q5_pmp = atan2_wide(w4_pm, c23_pm * v26 + T33 * v24);
-    const wide q5_mpp = atan2_wide(w4_mp, -(c23_mp * v26 + T33 * s23_mp));
-    const wide q5_mmp = atan2_wide(w4_mm, T33 * v25 - c23_mm * v26);
+    const wide angle1___________ = atan2_wide(sqrt_wide(v35), c23_pp * v32 - T33 * s23_pp);
+    const wide angle1____________ = atan2_wide(sqrt_wide(v36), c23_pm * v32 + T33 * v30);
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v37), -(c23_mp * v32 + T33 * s23_mp));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v38), T33 * v31 - c23_mm * v32);
 
     /* theta6 */
-    const wide v37 = s1 * T12 + v1 * T22;
-    const wide v38 = s1 * T22 - v1 * T12;
-    const wide v39 = s1 * T11 + v1 * T21;
-    const wide v40 = s1 * T21 - v1 * T11;
-    const wide v41 = v29 * v39 - v33 * (c23_pp * T31 + s23_pp * v40);
-    const wide v42 = v30 * v39 - v34 * (c23_pm * T31 - v24 * v40);
-    const wide v43 = v35 * (c23_mp * T31 - s23_mp * v40) - v31 * v39;
-    const wide v44 = v36 * (c23_mm * T31 + v25 * v40) - v32 * v39;
-    const wide q6_ppp = atan2_wide(v41, v29 * v37 - v33 * (c23_pp * T32 + s23_pp * v38));
-    const wide q6_pmp = atan2_wide(v42, v30 * v37 - v34 * (c23_pm * T32 - v24 * v38));
-    const wide q6_mpp = atan2_wide(v43, v35 * (c23_mp * T32 - s23_mp * v38) - v31 * v37);
-    const wide q6_mmp = atan2_wide(v44, v36 * (c23_mm * T32 + v25 * v38) - v32 * v37);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v41);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide v41 = s1 * T12 + v2 * T22;
+    const wide v42 = s1 * T22 - v2 * T12;
+    const wide v43 = s1 * T11 + v2 * T21;
+    const wide v44 = s1 * T21 - v2 * T11;
+    const wide v45 = X4_pp * v43 - v33 * (c23_pp * T31 + s23_pp * v44);
+    const wide v46 = X4_pm * v43 - v33 * (c23_pm * T31 - v30 * v44);
+    const wide v47 = v33 * (c23_mp * T31 - s23_mp * v44) - X4_mp * v43;
+    const wide v48 = v33 * (c23_mm * T31 + v31 * v44) - X4_mm * v43;
+    const wide angle1_______________ = atan2_wide(v45, X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp *
+        v42));
+    const wide angle1________________ = atan2_wide(v46, X4_pm * v41 - v33 * (c23_pm * T32 - v30 *
+        v42));
+    const wide angle1_________________ = atan2_wide(v47, v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp
+        * v41);
+    const wide angle1__________________ = atan2_wide(v48, v33 * (c23_mm * T32 + v31 * v42) - X4_mm *
+        v41);
+    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v48);
 
     /* joint values */
-    const wide v45 = q3__pp - pick_wide(high3 < q3__pp, all_wide(whole_turn), all_wide(0.0));
-    const wide v46 = q3__pm - pick_wide(high3 < q3__pm, all_wide(whole_turn), all_wide(0.0));
-    const wide v47 = q3__mp - pick_wide(high3 < q3__mp, all_wide(whole_turn), all_wide(0.0));
-    const wide v48 = q3__mm - pick_wide(high3 < q3__mm, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v49 = (v45 < low3) | (high3 < v45);
-    const wide_mask v50 = (v46 < low3) | (high3 < v46);
-    const wide_mask v51 = (v47 < low3) | (high3 < v47);
-    const wide_mask v52 = (v48 < low3) | (high3 < v48);
-    const wide q3_ppp = pick_wide(v49, q3__pp, v45);
-    const wide q3_pmp = pick_wide(v50, q3__pm, v46);
-    const wide q3_mpp = pick_wide(v51, q3__mp, v47);
-    const wide q3_mmp = pick_wide(v52, q3__mm, v48);
-    const wide q1_ppp = v2 + (w3_p - w3_p);
-    const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
-    const wide_mask v53 = v49 | ((q2_ppp < low2) | (high2 < q2_ppp));
-    const wide_mask v54 = v50 | ((q2_pmp < low2) | (high2 < q2_pmp));
-    const wide_mask v55 = v51 | ((q2_mpp < low2) | (high2 < q2_mpp));
-    const wide_mask v56 = v52 | ((q2_mmp < low2) | (high2 < q2_mmp));
-    const wide_mask outside_ppp = v53 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v53 | ((-q5_ppp < low5) | (high5 < -q5_ppp));
-    const wide_mask outside_pmp = v54 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v54 | ((-q5_pmp < low5) | (high5 < -q5_pmp));
-    const wide_mask outside_mpp = v55 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v55 | ((-q5_mpp < low5) | (high5 < -q5_mpp));
-    const wide_mask outside_mmp = v56 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v56 | ((-q5_mmp < low5) | (high5 < -q5_mmp));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide v49 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v50 = pick_wide(-v16 <= -half_turn, all_wide(m5), all_wide(0.0)) - v16;
+    const wide v51 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v52 = pick_wide(-v17 <= -half_turn, all_wide(m5), all_wide(0.0)) - v17;
+    const wide v53 = v49 - pick_wide(high3 < v49, all_wide(whole_turn), all_wide(0.0));
+    const wide v54 = v50 - pick_wide(high3 < v50, all_wide(whole_turn), all_wide(0.0));
+    const wide v55 = v51 - pick_wide(high3 < v51, all_wide(whole_turn), all_wide(0.0));
+    const wide v56 = v52 - pick_wide(high3 < v52, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v57 = (v53 < low3) | (high3 < v53);
+    const wide_mask v58 = (v54 < low3) | (high3 < v54);
+    const wide_mask v59 = (v55 < low3) | (high3 < v55);
+    const wide_mask v60 = (v56 < low3) | (high3 < v56);
+    const wide q3_ppp = pick_wide(v57, v49, v53);
+    const wide q3_pmp = pick_wide(v58, v50, v54);
+    const wide q3_mpp = pick_wide(v59, v51, v55);
+    const wide q3_mmp = pick_wide(v60, v52, v56);
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
+    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask v61 = v57 | ((angle1___ < low2) | (high2 < angle1___));
+    const wide_mask v62 = v58 | ((angle1____ < low2) | (high2 < angle1____));
+    const wide_mask v63 = v59 | ((angle1_____ < low2) | (high2 < angle1_____));
+    const wide_mask v64 = v60 | ((angle1______ < low2) | (high2 < angle1______));
+    const wide_mask outside_ppp = v61 | ((angle1___________ < low5) | (high5 < angle1___________));
+    const wide_mask outside_ppm = v61 | ((-angle1___________ < low5) | (high5 <
+        -angle1___________));
+    const wide_mask outside_pmp = v62 | ((angle1____________ < low5) | (high5 <
+        angle1____________));
+    const wide_mask outside_pmm = v62 | ((-angle1____________ < low5) | (high5 <
+        -angle1____________));
+    const wide_mask outside_mpp = v63 | ((angle1_____________ < low5) | (high5 <
+        angle1_____________));
+    const wide_mask outside_mpm = v63 | ((-angle1_____________ < low5) | (high5 <
+        -angle1_____________));
+    const wide_mask outside_mmp = v64 | ((angle1______________ < low5) | (high5 <
+        angle1______________));
+    const wide_mask outside_mmm = v64 | ((-angle1______________ < low5) | (high5 <
+        -angle1______________));
+    const wide_mask doubt = ((v25 <= m3) | (v38 <= m4)) | (((v24 <= m3) | (v37 <= m4)) | (((v23 <=
+        m3) | (v36 <= m4)) | (((v22 <= m3) | (v35 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[1] = angle1___;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1_______;
+    q[4] = angle1___________;
+    q[5] = angle1_______________;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[7] = angle1___;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1___________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
+    q[13] = angle1____;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1________;
+    q[16] = angle1____________;
+    q[17] = angle1________________;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
+    q[19] = angle1____;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1____________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
+    q[25] = angle1_____;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1_________;
+    q[28] = angle1_____________;
+    q[29] = angle1_________________;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
+    q[31] = angle1_____;
     q[32] = q3_mpp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1_____________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
+    q[37] = angle1______;
     q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1__________;
+    q[40] = angle1______________;
+    q[41] = angle1__________________;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
+    q[43] = angle1______;
     q[44] = q3_mmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1______________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -732,7 +750,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -746,13 +764,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double t14 = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(t14 * t14 + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = t14 * t14 + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = t14 * factor1;
+    const double v2 = t14 * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -767,72 +785,75 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v8 = k2 * K3;
     const four v9 = k1 * w3;
     const four c3 = k4 * (v8 + e2 * v9);
-    const four q3_ = atan2_four(s3, c3);
 
     /* theta2 */
     const four X1_2 = a2 + (a3 * c3 - d4 * s3);
     const four Y1_2 = d4 * c3 + a3 * s3;
     const four v10 = v4 * X1_2 + Z1_3 * Y1_2;
     const four C2 = Z1_3 * X1_2 - v4 * Y1_2;
-    const four w2 = sqrt_four(v10 * v10 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v11 = v10 * v10 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
     const four c2 = C2 * factor2;
-    const four v11 = v10 * factor2;
-    const four q2_p = atan2_four(-v11, c2);
+    const four v12 = v10 * factor2;
 
     /* theta4 */
-    const four c23 = c3 * c2 + s3 * v11;
-    const four s23 = s3 * c2 - c3 * v11;
-    const double v12 = T23 * s1 - T13 * v1;
-    const four X4 = T33 * c23 + e1 * (s23 * v12);
-    const double v13 = T23 * v1 + T13 * s1;
-    const double v14 = v13 * v13;
-    const four w4 = sqrt_four(v14 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v15 = X4 * factor4;
-    const four v16 = v13 * factor4;
-    const four q4_p = atan2_four(-(e1 * v16), -v15);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -(e1 * v16)) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(w4, e1 * (c23 * v12) - T33 * s23);
+    const four c23 = c3 * c2 + s3 * v12;
+    const four s23 = s3 * c2 - c3 * v12;
+    const double v13 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * c23 + e1 * (s23 * v13);
+    const double v14 = T23 * v2 + T13 * s1;
+    const double v15 = v14 * v14;
+    const four v16 = v15 + X4 * X4;
+    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
 
     /* theta6 */
-    const double v17 = s1 * T12 + v1 * T22;
-    const double v18 = s1 * T22 - v1 * T12;
-    const double v19 = s1 * T11 + v1 * T21;
-    const double v20 = s1 * T21 - v1 * T11;
-    const four v21 = e1 * (v15 * v19 - v16 * (c23 * T31 + e1 * (s23 * v20)));
-    const four q6_p = atan2_four(v21, e1 * (v15 * v17 - v16 * (c23 * T32 + e1 * (s23 * v18))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v21);
+    const double v18 = s1 * T12 + v2 * T22;
+    const double v19 = s1 * T22 - v2 * T12;
+    const double v20 = s1 * T11 + v2 * T21;
+    const double v21 = s1 * T21 - v2 * T11;
+    const four v22 = e1 * (X4 * v20 - v14 * (c23 * T31 + e1 * (s23 * v21)));
 
     /* joint values */
-    const four v22 = q3_ - pick_four(high3 < q3_, all_four(whole_turn), all_four(0.0));
-    const four_mask v23 = (v22 < low3) | (high3 < v22);
-    const four q3_p = pick_four(v23, q3_, v22);
-    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v24 = v23 | ((q2_p < low2) | (high2 < q2_p));
-    const four_mask outside_p = v24 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v24 | ((-q5_p < low5) | (high5 < -q5_p));
-    const four_mask v25 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+    const four_mask v27 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v25;
+    const four_mask doubt = ((v11 <= m3) | (v16 <= m4)) | v27;
+
+    const four angle1__ = atan2_four(-v10, C2);
+    const four angle1___ = atan2_four(-(e1 * v14), -X4);
+    const four angle1____ = atan2_four(sqrt_four(v16), e1 * (c23 * v13) - T33 * s23);
+    const four angle1_____ = atan2_four(v22, e1 * (X4 * v18 - v14 * (c23 * T32 + e1 * (s23 *
+        v19))));
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1___ - v17;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v22);
+    const four v23 = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
+    const four v24 = v23 - pick_four(high3 < v23, all_four(whole_turn), all_four(0.0));
+    const four_mask v25 = (v24 < low3) | (high3 < v24);
+    const four q3_p = pick_four(v25, v23, v24);
+    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four_mask v26 = v25 | ((angle1__ < low2) | (high2 < angle1__));
+    const four_mask outside_p = v26 | ((angle1____ < low5) | (high5 < angle1____));
+    const four_mask outside_m = v26 | ((-angle1____ < low5) | (high5 < -angle1____));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

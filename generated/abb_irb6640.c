@@ -36,6 +36,7 @@ static const double k2 = 0.43; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 3.1332889999999995; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 0.10938822421589604; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double turn1 = 1.4280947671350148; /* a constant angle [rad] */
 static const double low1 = -2.967000001; /* lowest value of joint 1 */
 static const double high1 = 2.967000001; /* highest value of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
@@ -45,8 +46,11 @@ static const double low3 = -3.142000001; /* lowest value of joint 3 */
 static const double high3 = 1.222000001; /* highest value of joint 3 */
 static const double low5 = -2.094000001; /* lowest value of joint 5 */
 static const double high5 = 2.094000001; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.5737089000000004e-23; /* free_limit1^2 [m^2] */
+static const double m3 = 2.4765597019392095e-46; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb6640_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -296,25 +300,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -348,25 +354,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -381,25 +389,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -441,208 +451,208 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide v1 = wx * wx + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = wx * factor1;
+    const wide v2 = wx * factor1;
     const wide s1 = Y1 * factor1;
-    const wide q1__p = atan2_wide(s1, -v1);
-    const wide q1__m = q1__p - copysign_wide(all_wide(half_turn), s1) * h1;
+    const wide angle1 = atan2_wide(Y1, -wx);
+    const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v2 = a1 + w1;
-    const wide v3 = a1 - w1;
-    const wide v4 = Z1_3 * Z1_3;
-    const wide N3_p = v4 + v2 * v2;
-    const wide N3_m = v4 + v3 * v3;
+    const wide v3 = a1 + w1;
+    const wide v4 = a1 - w1;
+    const wide v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3;
+    const wide N3_m = v5 + v4 * v4;
     const wide K3_p = N3_p - k3;
     const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v5 = k1 * K3_p;
-    const wide v6 = k1 * K3_m;
-    const wide v7 = k2 * w3_p;
-    const wide v8 = k2 * w3_m;
-    const wide s3_pp = k4 * (v7 - v5);
-    const wide v9 = k4 * (v5 + v7);
-    const wide s3_mp = k4 * (v8 - v6);
+    const wide v6 = k1 * K3_p;
+    const wide v7 = k1 * K3_m;
+    const wide v8 = k2 * w3_p;
+    const wide v9 = k2 * w3_m;
+    const wide s3_pp = k4 * (v8 - v6);
     const wide v10 = k4 * (v6 + v8);
-    const wide v11 = k2 * K3_p;
-    const wide v12 = k2 * K3_m;
-    const wide v13 = k1 * w3_p;
-    const wide v14 = k1 * w3_m;
-    const wide c3_pp = k4 * (v11 + v13);
-    const wide c3_pm = k4 * (v11 - v13);
-    const wide c3_mp = k4 * (v12 + v14);
-    const wide c3_mm = k4 * (v12 - v14);
-    const wide q3__pp = atan2_wide(s3_pp, c3_pp);
-    const wide q3__pm = atan2_wide(-v9, c3_pm);
-    const wide q3__mp = atan2_wide(s3_mp, c3_mp);
-    const wide q3__mm = atan2_wide(-v10, c3_mm);
+    const wide s3_mp = k4 * (v9 - v7);
+    const wide v11 = k4 * (v7 + v9);
+    const wide v12 = k2 * K3_p;
+    const wide v13 = k2 * K3_m;
+    const wide v14 = k1 * w3_p;
+    const wide v15 = k1 * w3_m;
+    const wide c3_pp = k4 * (v12 + v14);
+    const wide c3_pm = k4 * (v12 - v14);
+    const wide c3_mp = k4 * (v13 + v15);
+    const wide c3_mm = k4 * (v13 - v15);
+    const wide angle1_ = atan2_wide(w3_p, K3_p);
+    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1_ - turn1;
+    const wide v16 = turn1 + angle1_;
+    const wide q3__mp = angle1__ - turn1;
+    const wide v17 = turn1 + angle1__;
 
     /* theta2 */
-    const wide v15 = d4 * c3_pp + a3 * s3_pp;
-    const wide v16 = d4 * c3_pm - a3 * v9;
-    const wide v17 = d4 * c3_mp + a3 * s3_mp;
-    const wide v18 = d4 * c3_mm - a3 * v10;
+    const wide v18 = d4 * c3_pp + a3 * s3_pp;
+    const wide v19 = d4 * c3_pm - a3 * v10;
+    const wide v20 = d4 * c3_mp + a3 * s3_mp;
+    const wide v21 = d4 * c3_mm - a3 * v11;
     const wide Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp);
-    const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * v9);
+    const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10);
     const wide Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp);
-    const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * v10);
-    const wide S2_pp = v2 * v15 - Z1_3 * Y1_2_pp;
-    const wide S2_pm = v2 * v16 - Z1_3 * Y1_2_pm;
-    const wide S2_mp = v3 * v17 - Z1_3 * Y1_2_mp;
-    const wide S2_mm = v3 * v18 - Z1_3 * Y1_2_mm;
-    const wide v19 = Z1_3 * v15 + v2 * Y1_2_pp;
-    const wide v20 = Z1_3 * v16 + v2 * Y1_2_pm;
-    const wide v21 = Z1_3 * v17 + v3 * Y1_2_mp;
-    const wide v22 = Z1_3 * v18 + v3 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v19 * v19);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + v20 * v20);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v21 * v21);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v22 * v22);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v23 = v19 * factor2_pp;
-    const wide v24 = v20 * factor2_pm;
-    const wide v25 = v21 * factor2_mp;
-    const wide v26 = v22 * factor2_mm;
+    const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11);
+    const wide S2_pp = v3 * v18 - Z1_3 * Y1_2_pp;
+    const wide S2_pm = v3 * v19 - Z1_3 * Y1_2_pm;
+    const wide S2_mp = v4 * v20 - Z1_3 * Y1_2_mp;
+    const wide S2_mm = v4 * v21 - Z1_3 * Y1_2_mm;
+    const wide v22 = Z1_3 * v18 + v3 * Y1_2_pp;
+    const wide v23 = Z1_3 * v19 + v3 * Y1_2_pm;
+    const wide v24 = Z1_3 * v20 + v4 * Y1_2_mp;
+    const wide v25 = Z1_3 * v21 + v4 * Y1_2_mm;
+    const wide v26 = S2_pp * S2_pp + v22 * v22;
+    const wide v27 = S2_pm * S2_pm + v23 * v23;
+    const wide v28 = S2_mp * S2_mp + v24 * v24;
+    const wide v29 = S2_mm * S2_mm + v25 * v25;
+    const wide factor2_pp = 1.0 / sqrt_wide(v26);
+    const wide factor2_pm = 1.0 / sqrt_wide(v27);
+    const wide factor2_mp = 1.0 / sqrt_wide(v28);
+    const wide factor2_mm = 1.0 / sqrt_wide(v29);
+    const wide v30 = v22 * factor2_pp;
+    const wide v31 = v23 * factor2_pm;
+    const wide v32 = v24 * factor2_mp;
+    const wide v33 = v25 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
     const wide s2_mm = S2_mm * factor2_mm;
 
     /* theta4 */
-    const wide v27 = c3_pp * v23 + s3_pp * s2_pp;
-    const wide v28 = c3_pm * v24 - v9 * s2_pm;
-    const wide v29 = c3_mp * v25 + s3_mp * s2_mp;
-    const wide v30 = c3_mm * v26 - v10 * s2_mm;
-    const wide s23_pp = c3_pp * s2_pp - s3_pp * v23;
-    const wide s23_pm = c3_pm * s2_pm + v9 * v24;
-    const wide s23_mp = c3_mp * s2_mp - s3_mp * v25;
-    const wide s23_mm = c3_mm * s2_mm + v10 * v26;
-    const wide v31 = T23 * s1 - T13 * v1;
-    const wide X4_pp = T33 * s23_pp + v27 * v31;
-    const wide X4_pm = T33 * s23_pm + v28 * v31;
-    const wide X4_mp = T33 * s23_mp - v29 * v31;
-    const wide X4_mm = T33 * s23_mm - v30 * v31;
-    const wide Y4 = T13 * s1 + T23 * v1;
-    const wide v32 = Y4 * Y4;
-    const wide w4_pp = sqrt_wide(v32 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v32 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v32 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v32 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v33 = X4_pp * factor4_pp;
-    const wide v34 = X4_pm * factor4_pm;
-    const wide v35 = X4_mp * factor4_mp;
-    const wide v36 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp;
-    const wide s4_pm = Y4 * factor4_pm;
-    const wide s4_mp = Y4 * factor4_mp;
-    const wide s4_mm = Y4 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v33);
-    const wide q4_pmp = atan2_wide(s4_pm, -v34);
-    const wide q4_mpp = atan2_wide(-s4_mp, -v35);
-    const wide q4_mmp = atan2_wide(-s4_mm, -v36);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4_pp);
-    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), s4_pm);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
-    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+    const wide v34 = c3_pp * v30 + s3_pp * s2_pp;
+    const wide v35 = c3_pm * v31 - v10 * s2_pm;
+    const wide v36 = c3_mp * v32 + s3_mp * s2_mp;
+    const wide v37 = c3_mm * v33 - v11 * s2_mm;
+    const wide s23_pp = c3_pp * s2_pp - s3_pp * v30;
+    const wide s23_pm = c3_pm * s2_pm + v10 * v31;
+    const wide s23_mp = c3_mp * s2_mp - s3_mp * v32;
+    const wide s23_mm = c3_mm * s2_mm + v11 * v33;
+    const wide v38 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * s23_pp + v34 * v38;
+    const wide X4_pm = T33 * s23_pm + v35 * v38;
+    const wide X4_mp = T33 * s23_mp - v36 * v38;
+    const wide X4_mm = T33 * s23_mm - v37 * v38;
+    const wide Y4 = T13 * s1 + T23 * v2;
+    const wide v39 = Y4 * Y4;
+    const wide v40 = v39 + X4_pp * X4_pp;
+    const wide v41 = v39 + X4_pm * X4_pm;
+    const wide v42 = v39 + X4_mp * X4_mp;
+    const wide v43 = v39 + X4_mm * X4_mm;
+    const wide angle1___ = atan2_wide(Y4, -X4_pp);
+    const wide angle1____ = atan2_wide(Y4, -X4_pm);
+    const wide angle1_____ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1______ = atan2_wide(-Y4, -X4_mm);
+    const wide v44 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v45 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1___ - v44;
+    const wide q4_pmm = angle1____ - v44;
+    const wide q4_mpm = angle1_____ - v45;
+    const wide q4_mmm = angle1______ - v45;
 
     /* theta6 */
-    const wide v37 = v1 * T22 + s1 * T12;
-    const wide v38 = s1 * T22 - v1 * T12;
-    const wide v39 = v1 * T21 + s1 * T11;
-    const wide v40 = s1 * T21 - v1 * T11;
-    const wide v41 = v33 * v39 - s4_pp * (s23_pp * T31 + v27 * v40);
-    const wide v42 = v34 * v39 - s4_pm * (s23_pm * T31 + v28 * v40);
-    const wide v43 = s4_mp * (s23_mp * T31 - v29 * v40) - v35 * v39;
-    const wide v44 = s4_mm * (s23_mm * T31 - v30 * v40) - v36 * v39;
-    const wide q6_ppp = atan2_wide(v41, v33 * v37 - s4_pp * (s23_pp * T32 + v27 * v38));
-    const wide q6_pmp = atan2_wide(v42, v34 * v37 - s4_pm * (s23_pm * T32 + v28 * v38));
-    const wide q6_mpp = atan2_wide(v43, s4_mp * (s23_mp * T32 - v29 * v38) - v35 * v37);
-    const wide q6_mmp = atan2_wide(v44, s4_mm * (s23_mm * T32 - v30 * v38) - v36 * v37);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v41);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide v46 = v2 * T22 + s1 * T12;
+    const wide v47 = s1 * T22 - v2 * T12;
+    const wide v48 = v2 * T21 + s1 * T11;
+    const wide v49 = s1 * T21 - v2 * T11;
+    const wide v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49);
+    const wide v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49);
+    const wide v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48;
+    const wide v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48;
+    const wide angle1_______ = atan2_wide(v50, X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47));
+    const wide angle1________ = atan2_wide(v51, X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47));
+    const wide angle1_________ = atan2_wide(v52, Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46);
+    const wide angle1__________ = atan2_wide(v53, Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46);
+    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v51);
+    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v52);
+    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v53);
 
     /* joint values */
-    const wide v45 = atan2_wide(s2_pp, -v23) - offset2;
-    const wide v46 = atan2_wide(s2_pm, -v24) - offset2;
-    const wide v47 = atan2_wide(s2_mp, -v25) - offset2;
-    const wide v48 = atan2_wide(s2_mm, -v26) - offset2;
-    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m2), all_wide(0.0));
-    const wide v49 = atan2_wide(w4_pp, s23_pp * v31 - T33 * v27);
-    const wide v50 = atan2_wide(w4_pm, s23_pm * v31 - T33 * v28);
-    const wide v51 = atan2_wide(w4_mp, -(s23_mp * v31 + T33 * v29));
-    const wide v52 = atan2_wide(w4_mm, -(s23_mm * v31 + T33 * v30));
-    const wide v53 = v49 - offset5;
-    const wide v54 = offset5 + v49;
-    const wide v55 = v50 - offset5;
-    const wide v56 = offset5 + v50;
-    const wide v57 = v51 - offset5;
-    const wide v58 = offset5 + v51;
-    const wide v59 = v52 - offset5;
-    const wide v60 = offset5 + v52;
-    const wide q5_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v54 <= -half_turn, all_wide(m2), all_wide(0.0)) - v54;
-    const wide q5_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v56 <= -half_turn, all_wide(m2), all_wide(0.0)) - v56;
-    const wide q5_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v58 <= -half_turn, all_wide(m2), all_wide(0.0)) - v58;
-    const wide q5_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v60 <= -half_turn, all_wide(m2), all_wide(0.0)) - v60;
-    const wide_mask v61 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v62 = (q1__m < low1) | (high1 < q1__m);
-    const wide v63 = q3__pp - pick_wide(high3 < q3__pp, all_wide(whole_turn), all_wide(0.0));
-    const wide v64 = q3__pm - pick_wide(high3 < q3__pm, all_wide(whole_turn), all_wide(0.0));
-    const wide v65 = q3__mp - pick_wide(high3 < q3__mp, all_wide(whole_turn), all_wide(0.0));
-    const wide v66 = q3__mm - pick_wide(high3 < q3__mm, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v67 = (v63 < low3) | (high3 < v63);
-    const wide_mask v68 = (v64 < low3) | (high3 < v64);
-    const wide_mask v69 = (v65 < low3) | (high3 < v65);
-    const wide_mask v70 = (v66 < low3) | (high3 < v66);
-    const wide q3_ppp = pick_wide(v67, q3__pp, v63);
-    const wide q3_pmp = pick_wide(v68, q3__pm, v64);
-    const wide q3_mpp = pick_wide(v69, q3__mp, v65);
-    const wide q3_mmp = pick_wide(v70, q3__mm, v66);
-    const wide q1_ppp = q1__p + (w3_p - w3_p);
+    const wide angle1___________ = atan2_wide(S2_pp, -v22);
+    const wide v54 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(S2_pm, -v23);
+    const wide v55 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(S2_mp, -v24);
+    const wide v56 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(S2_mm, -v25);
+    const wide v57 = angle1______________ - offset2;
+    const wide q2_ppp = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v40), s23_pp * v38 - T33 * v34);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v41), s23_pm * v38 - T33 * v35);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v42), -(s23_mp * v38 + T33 * v36));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v43), -(s23_mm * v38 + T33 * v37));
+    const wide v58 = angle1_______________ - offset5;
+    const wide v59 = offset5 + angle1_______________;
+    const wide v60 = angle1________________ - offset5;
+    const wide v61 = offset5 + angle1________________;
+    const wide v62 = angle1_________________ - offset5;
+    const wide v63 = offset5 + angle1_________________;
+    const wide v64 = angle1__________________ - offset5;
+    const wide v65 = offset5 + angle1__________________;
+    const wide q5_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v59 <= -half_turn, all_wide(m5), all_wide(0.0)) - v59;
+    const wide q5_pmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v61 <= -half_turn, all_wide(m5), all_wide(0.0)) - v61;
+    const wide q5_mpp = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v63 <= -half_turn, all_wide(m5), all_wide(0.0)) - v63;
+    const wide q5_mmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v65 <= -half_turn, all_wide(m5), all_wide(0.0)) - v65;
+    const wide v66 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v67 = pick_wide(-v16 <= -half_turn, all_wide(m5), all_wide(0.0)) - v16;
+    const wide v68 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v69 = pick_wide(-v17 <= -half_turn, all_wide(m5), all_wide(0.0)) - v17;
+    const wide_mask v70 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v71 = (q1__m < low1) | (high1 < q1__m);
+    const wide v72 = v66 - pick_wide(high3 < v66, all_wide(whole_turn), all_wide(0.0));
+    const wide v73 = v67 - pick_wide(high3 < v67, all_wide(whole_turn), all_wide(0.0));
+    const wide v74 = v68 - pick_wide(high3 < v68, all_wide(whole_turn), all_wide(0.0));
+    const wide v75 = v69 - pick_wide(high3 < v69, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v76 = (v72 < low3) | (high3 < v72);
+    const wide_mask v77 = (v73 < low3) | (high3 < v73);
+    const wide_mask v78 = (v74 < low3) | (high3 < v74);
+    const wide_mask v79 = (v75 < low3) | (high3 < v75);
+    const wide q3_ppp = pick_wide(v76, v66, v72);
+    const wide q3_pmp = pick_wide(v77, v67, v73);
+    const wide q3_mpp = pick_wide(v78, v68, v74);
+    const wide q3_mmp = pick_wide(v79, v69, v75);
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v71 = v67 | (v61 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v72 = v68 | (v61 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v73 = v69 | (v62 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v74 = v70 | (v62 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v71 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v71 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v72 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v72 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v73 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v73 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v74 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v74 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask v80 = v76 | (v70 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v81 = v77 | (v70 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v82 = v78 | (v71 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v83 = v79 | (v71 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v81 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v82 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((v29 <= m3) | (v43 <= m4)) | (((v28 <= m3) | (v42 <= m4)) | (((v27 <=
+        m3) | (v41 <= m4)) | (((v26 <= m3) | (v40 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1___;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1_______;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -654,9 +664,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[15] = angle1____;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1________;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -668,9 +678,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
+    q[27] = angle1_____;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1_________;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -682,9 +692,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = q4_mmp;
+    q[39] = angle1______;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1__________;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -761,7 +771,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -775,14 +785,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(wx * wx + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = wx * wx + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = wx * factor1;
+    const double v2 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
-    const four q1_ = v2 + v3 * (m1 * (e1 - 1.0));
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -797,69 +806,75 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v8 = k2 * K3;
     const four v9 = k1 * w3;
     const four c3 = k4 * (v8 + e2 * v9);
-    const four q3_ = atan2_four(s3, c3);
 
     /* theta2 */
     const four v10 = d4 * c3 + a3 * s3;
     const four Y1_2 = a2 + (a3 * c3 - d4 * s3);
     const four S2 = v4 * v10 - Z1_3 * Y1_2;
     const four v11 = Z1_3 * v10 + v4 * Y1_2;
-    const four w2 = sqrt_four(S2 * S2 + v11 * v11);
-    const four factor2 = 1.0 / w2;
-    const four v12 = v11 * factor2;
+    const four v12 = S2 * S2 + v11 * v11;
+    const four factor2 = 1.0 / sqrt_four(v12);
+    const four v13 = v11 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v13 = c3 * v12 + s3 * s2;
-    const four s23 = c3 * s2 - s3 * v12;
-    const double v14 = T23 * s1 - T13 * v1;
-    const four X4 = T33 * s23 + e1 * (v13 * v14);
-    const double Y4 = T13 * s1 + T23 * v1;
-    const double v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v16 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v17 = e1 * s4;
-    const four q4_p = atan2_four(v17, -v16);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), v17) * h1;
+    const four v14 = c3 * v13 + s3 * s2;
+    const four s23 = c3 * s2 - s3 * v13;
+    const double v15 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * s23 + e1 * (v14 * v15);
+    const double Y4 = T13 * s1 + T23 * v2;
+    const double v16 = Y4 * Y4;
+    const four v17 = v16 + X4 * X4;
+    const four v18 = e1 * Y4;
+    const four v19 = copysign_four(all_four(half_turn), v18) * h1;
 
     /* theta6 */
-    const double v18 = v1 * T22 + s1 * T12;
-    const double v19 = s1 * T22 - v1 * T12;
-    const double v20 = v1 * T21 + s1 * T11;
-    const double v21 = s1 * T21 - v1 * T11;
-    const four v22 = e1 * (v16 * v20 - s4 * (s23 * T31 + e1 * (v13 * v21)));
-    const four q6_p = atan2_four(v22, e1 * (v16 * v18 - s4 * (s23 * T32 + e1 * (v13 * v19))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v22);
+    const double v20 = v2 * T22 + s1 * T12;
+    const double v21 = s1 * T22 - v2 * T12;
+    const double v22 = v2 * T21 + s1 * T11;
+    const double v23 = s1 * T21 - v2 * T11;
+    const four v24 = e1 * (X4 * v22 - Y4 * (s23 * T31 + e1 * (v14 * v23)));
 
     /* joint values */
-    const four v23 = atan2_four(s2, -v12) - offset2;
-    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m2), all_four(0.0));
-    const four v24 = atan2_four(w4, e1 * (s23 * v14) - T33 * v13);
-    const four v25 = v24 - offset5;
-    const four v26 = offset5 + v24;
-    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m2), all_four(0.0)) - v26;
-    const four_mask v27 = (q1_ < low1) | (high1 < q1_);
-    const four v28 = q3_ - pick_four(high3 < q3_, all_four(whole_turn), all_four(0.0));
-    const four_mask v29 = (v28 < low3) | (high3 < v28);
-    const four q3_p = pick_four(v29, q3_, v28);
-    const four q1_p = q1_ + (w3 - w3);
-    const four_mask v30 = v29 | (v27 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v30 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v30 | ((q5_m < low5) | (high5 < q5_m));
-    const four_mask v31 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+    const four_mask v33 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v31;
+    const four_mask doubt = ((v12 <= m3) | (v17 <= m4)) | v33;
+
+    const four angle1__ = atan2_four(v18, -X4);
+    const four angle1___ = atan2_four(v24, e1 * (X4 * v20 - Y4 * (s23 * T32 + e1 * (v14 * v21))));
+    const four angle1____ = atan2_four(S2, -v11);
+    const four angle1_____ = atan2_four(sqrt_four(v17), e1 * (s23 * v15) - T33 * v14);
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-wx), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1__ - v19;
+    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v24);
+    const four v25 = angle1____ - offset2;
+    const four q2_p = v25 - pick_four(half_turn < v25, all_four(m5), all_four(0.0));
+    const four v26 = angle1_____ - offset5;
+    const four v27 = offset5 + angle1_____;
+    const four q5_p = v26 + pick_four(v26 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v27 <= -half_turn, all_four(m5), all_four(0.0)) - v27;
+    const four v28 = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
+    const four_mask v29 = (q1_ < low1) | (high1 < q1_);
+    const four v30 = v28 - pick_four(high3 < v28, all_four(whole_turn), all_four(0.0));
+    const four_mask v31 = (v30 < low3) | (high3 < v30);
+    const four q3_p = pick_four(v31, v28, v30);
+    const four q1_p = q1_ + (w3 - w3);
+    const four_mask v32 = v31 | (v29 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -19,7 +19,9 @@ static const double free_limit_squared2 = 5.7599999999999994e-18;
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 3.3177599999999995e-35; /* free_limit_squared2^2 [mm^4] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_branches[1] = {
     "only",
@@ -185,25 +187,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -237,25 +241,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -270,25 +276,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -332,40 +340,38 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide r3 = d1 - t34;
 
     /* theta12 */
-    const wide w12 = sqrt_wide(T32 * T32 + T22 * T22);
-    const wide v1 = 1.0 / w12;
-    const wide c12 = T22 * v1;
-    const wide s12 = T32 * v1;
+    const wide v1 = T32 * T32 + T22 * T22;
+    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide c12 = T22 * v2;
+    const wide s12 = T32 * v2;
 
     /* theta1 */
     const wide t14 = T24 - ez * T23;
-    const wide v2 = l2 * c12;
+    const wide v3 = l2 * c12;
     const wide t24 = T34 - ez * T33 - zz;
-    const wide v3 = l2 * s12;
-    const wide v4 = l1 * (t24 - v3);
-    const wide v5 = l1 * (t14 - v2);
-    const wide w1 = sqrt_wide(v4 * v4 + v5 * v5);
-    const wide v6 = 1.0 / w1;
-    const wide c1 = v5 * v6;
-    const wide s1 = v4 * v6;
-    const wide q1_ = atan2_wide(s1, c1);
+    const wide v4 = l2 * s12;
+    const wide v5 = l1 * (t24 - v4);
+    const wide v6 = l1 * (t14 - v3);
+    const wide v7 = v5 * v5 + v6 * v6;
+    const wide v8 = 1.0 / sqrt_wide(v7);
+    const wide angle1 = atan2_wide(v5, v6);
 
     /* is the pose one that the arm can take? */
-    const wide v7 = sqrt_wide(pick_wide((abs_wide(t34 - (d1 - r3)) <= pose_slack1) & ((abs_wide(T13
-        + 1.0) <= pose_slack) & ((abs_wide(T11) <= pose_slack) & ((abs_wide(T12) <= pose_slack) &
-        ((abs_wide(t24 - (v3 + l1 * s1)) <= pose_slack1) & ((abs_wide(T33) <= pose_slack) &
+    const wide v9 = pick_wide((abs_wide(t34 - (d1 - r3)) <= pose_slack1) & ((abs_wide(T13 + 1.0) <=
+        pose_slack) & ((abs_wide(T11) <= pose_slack) & ((abs_wide(T12) <= pose_slack) &
+        ((abs_wide(t24 - (v4 + l1 * (v5 * v8))) <= pose_slack1) & ((abs_wide(T33) <= pose_slack) &
         ((abs_wide(c12 - T31) <= pose_slack) & ((abs_wide(T32 - s12) <= pose_slack) & ((abs_wide(t14
-        - (v2 + l1 * c1)) <= pose_slack1) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c12)
-        <= pose_slack) & (abs_wide(s12 + T21) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(-1.0)));
+        - (v3 + l1 * (v6 * v8))) <= pose_slack1) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 -
+        c12) <= pose_slack) & (abs_wide(s12 + T21) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v8 = atan2_wide(s12, c12) - q1_;
-    const wide_mask free1_ = (w12 <= free_limit_squared) | (w1 <= free_limit_squared2);
-    const wide v9 = v7 - v7;
-    const wide q1 = q1_ + v9;
-    const wide q2 = v9 + (v8 - pick_wide(half_turn < v8, all_wide(m1), all_wide(0.0)) + pick_wide(v8
-        <= -half_turn, all_wide(m1), all_wide(0.0)));
+    const wide angle1_ = atan2_wide(T32, T22);
+    const wide v10 = angle1_ - angle1;
+    const wide_mask free1_ = (v1 <= m1) | (v7 <= m2);
+    const wide q1 = angle1 + v9;
+    const wide q2 = v9 + (v10 - pick_wide(half_turn < v10, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v10 <= -half_turn, all_wide(m3), all_wide(0.0)));
     const wide q3 = r3 + v9;
     const wide_mask doubt = free1_ | free1_;
 
@@ -454,41 +460,41 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double r3 = d1 - t34;
 
     /* theta12 */
-    const double w12 = sqrt(T32 * T32 + T22 * T22);
-    const double v1 = 1.0 / w12;
-    const double c12 = T22 * v1;
-    const double s12 = T32 * v1;
+    const double v1 = T32 * T32 + T22 * T22;
+    const double v2 = 1.0 / sqrt(v1);
+    const double c12 = T22 * v2;
+    const double s12 = T32 * v2;
 
     /* theta1 */
     const double t14 = T24 - ez * T23;
-    const double v2 = l2 * c12;
+    const double v3 = l2 * c12;
     const double t24 = T34 - ez * T33 - zz;
-    const double v3 = l2 * s12;
-    const double v4 = l1 * (t24 - v3);
-    const double v5 = l1 * (t14 - v2);
-    const double w1 = sqrt(v4 * v4 + v5 * v5);
-    const double v6 = 1.0 / w1;
-    const double c1 = v5 * v6;
-    const double s1 = v4 * v6;
-    const four q1_ = atan2_four(all_four(s1), all_four(c1));
+    const double v4 = l2 * s12;
+    const double v5 = l1 * (t24 - v4);
+    const double v6 = l1 * (t14 - v3);
+    const double v7 = v5 * v5 + v6 * v6;
+    const double v8 = 1.0 / sqrt(v7);
 
     /* is the pose one that the arm can take? */
-    const double v7 = sqrt(((fabs(t34 - (d1 - r3)) <= pose_slack1) & ((fabs(T13 + 1.0) <=
-        pose_slack) & ((fabs(T11) <= pose_slack) & ((fabs(T12) <= pose_slack) & ((fabs(t24 - (v3 +
-        l1 * s1)) <= pose_slack1) & ((fabs(T33) <= pose_slack) & ((fabs(c12 - T31) <= pose_slack) &
-        ((fabs(T32 - s12) <= pose_slack) & ((fabs(t14 - (v2 + l1 * c1)) <= pose_slack1) &
+    const double v9 = ((fabs(t34 - (d1 - r3)) <= pose_slack1) & ((fabs(T13 + 1.0) <= pose_slack) &
+        ((fabs(T11) <= pose_slack) & ((fabs(T12) <= pose_slack) & ((fabs(t24 - (v4 + l1 * (v5 *
+        v8))) <= pose_slack1) & ((fabs(T33) <= pose_slack) & ((fabs(c12 - T31) <= pose_slack) &
+        ((fabs(T32 - s12) <= pose_slack) & ((fabs(t14 - (v3 + l1 * (v6 * v8))) <= pose_slack1) &
         ((fabs(T23) <= pose_slack) & ((fabs(T22 - c12) <= pose_slack) & (fabs(s12 + T21) <=
-        pose_slack)))))))))))) ? 0.0 : (-1.0));
+        pose_slack)))))))))))) ? 0.0 : sqrt(-1.0);
 
     /* joint values */
-    const four v8 = atan2_four(all_four(s12), all_four(c12)) - q1_;
-    const int free1_ = (w12 <= free_limit_squared) | (w1 <= free_limit_squared2);
-    const double v9 = v7 - v7;
-    const four q1 = q1_ + v9;
-    const four q2 = v9 + (v8 - pick_four(half_turn < v8, all_four(m1), all_four(0.0)) + pick_four(v8
-        <= -half_turn, all_four(m1), all_four(0.0)));
+    const int free1_ = (v1 <= m1) | (v7 <= m2);
     const double q3 = r3 + v9;
     const int doubt = free1_ | free1_;
+
+    const four packed1 = atan2_four((four){ v5, T32, v5, v5 }, (four){ v6, T22, v6, v6 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four v10 = angle1_ - angle1;
+    const four q1 = angle1 + v9;
+    const four q2 = v9 + (v10 - pick_four(half_turn < v10, all_four(m3), all_four(0.0)) +
+        pick_four(v10 <= -half_turn, all_four(m3), all_four(0.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

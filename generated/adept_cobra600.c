@@ -30,7 +30,9 @@ static const double pose_slack1 = 9.87e-06; /* a pose may be rounded by this [m]
 static const double k1 = 0.18125000000000002; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 5.594405594405594; /* 1 / (2 * a2 * a1) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 9.490052405609999e-49; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_cobra600_branches[2] = {
     "down", "up",
@@ -203,25 +205,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -255,25 +259,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -288,25 +294,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -349,75 +357,73 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide r3 = d1 - T34;
 
     /* theta12m4 */
-    const wide w12m4 = sqrt_wide(T21 * T21 + T11 * T11);
-    const wide_mask free12m4 = w12m4 <= free_limit_squared;
-    const wide v1 = 1.0 / w12m4;
-    const wide c12m4 = T11 * v1;
-    const wide s12m4 = T21 * v1;
-    const wide theta12m4 = atan2_wide(s12m4, c12m4);
+    const wide v1 = T21 * T21 + T11 * T11;
+    const wide_mask free12m4 = v1 <= m1;
+    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide c12m4 = T11 * v2;
+    const wide s12m4 = T21 * v2;
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24;
+    const wide K2 = N2 - k1;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
     const wide s2 = k2 * w2;
-    const wide c2 = k2 * (N2 - k1);
-    const wide q2_ = atan2_wide(s2, c2);
+    const wide c2 = k2 * K2;
+    const wide angle1_ = atan2_wide(w2, K2);
 
     /* theta1 */
     const wide X1_1 = a1 + a2 * c2;
     const wide Y1_1 = a2 * s2;
-    const wide v2 = T24 * X1_1;
-    const wide v3 = T14 * Y1_1;
-    const wide S1_p = v2 - v3;
-    const wide S1_m = v2 + v3;
-    const wide v4 = T14 * X1_1;
-    const wide v5 = T24 * Y1_1;
-    const wide C1_p = v4 + v5;
-    const wide C1_m = v4 - v5;
-    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
-    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
-    const wide_mask free1_p = w1_p <= free_limit_squared2;
-    const wide_mask free1_m = w1_m <= free_limit_squared2;
-    const wide factor1_p = 1.0 / w1_p;
-    const wide factor1_m = 1.0 / w1_m;
+    const wide v3 = T24 * X1_1;
+    const wide v4 = T14 * Y1_1;
+    const wide S1_p = v3 - v4;
+    const wide S1_m = v3 + v4;
+    const wide v5 = T14 * X1_1;
+    const wide v6 = T24 * Y1_1;
+    const wide C1_p = v5 + v6;
+    const wide C1_m = v5 - v6;
+    const wide v7 = S1_p * S1_p + C1_p * C1_p;
+    const wide v8 = S1_m * S1_m + C1_m * C1_m;
+    const wide_mask free1_p = v7 <= m2;
+    const wide_mask free1_m = v8 <= m2;
+    const wide factor1_p = 1.0 / sqrt_wide(v7);
+    const wide factor1_m = 1.0 / sqrt_wide(v8);
     const wide c1_p = C1_p * factor1_p;
     const wide c1_m = C1_m * factor1_m;
     const wide s1_p = S1_p * factor1_p;
     const wide s1_m = S1_m * factor1_m;
-    const wide q1__p = atan2_wide(s1_p, c1_p);
-    const wide q1__m = atan2_wide(s1_m, c1_m);
+    const wide angle1__ = atan2_wide(S1_p, C1_p);
+    const wide angle1___ = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v6 = sqrt_wide(pick_wide((abs_wide(T34 - (d1 - r3)) <= pose_slack1) & ((abs_wide(1.0
-        + T33) <= pose_slack) & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
+    const double v9 = sqrt(-1.0);
+    const wide v10 = pick_wide((abs_wide(T34 - (d1 - r3)) <= pose_slack1) & ((abs_wide(1.0 + T33) <=
+        pose_slack) & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
         ((abs_wide(T23) <= pose_slack) & ((abs_wide(c12m4 + T22) <= pose_slack) & ((abs_wide(T21 -
         s12m4) <= pose_slack) & ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c12m4) <=
-        pose_slack) & (abs_wide(T12 - s12m4) <= pose_slack))))))))), all_wide(0.0),
-        all_wide(-1.0)));
-    const wide v7 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p))
-        <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <=
-        pose_slack1), all_wide(0.0), all_wide(-1.0)));
-    const wide v8 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m))
-        <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <=
-        pose_slack1), all_wide(0.0), all_wide(-1.0)));
+        pose_slack) & (abs_wide(T12 - s12m4) <= pose_slack))))))))), all_wide(0.0), all_wide(v9));
+    const wide v11 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <=
+        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1),
+        all_wide(0.0), all_wide(v9));
+    const wide v12 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <=
+        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1),
+        all_wide(0.0), all_wide(v9));
 
     /* joint values */
-    const wide v9 = q2_ + q1__p - theta12m4;
-    const wide v10 = q1__m - q2_ - theta12m4;
-    const wide v11 = v6 - v6;
-    const wide v12 = v7 - v7;
-    const wide v13 = v8 - v8;
-    const wide q1_p = v12 + (q1__p + v11);
-    const wide q1_m = v13 + (q1__m + v11);
-    const wide q2_p = v12 + (q2_ + v11);
-    const wide q2_m = v13 + (v11 - q2_);
-    const wide v14 = v11 + (r3 + (w2 - w2));
-    const wide q3_p = v12 + v14;
-    const wide q3_m = v13 + v14;
-    const wide q4_p = v12 + (v11 + (v9 - pick_wide(half_turn < v9, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v9 <= -half_turn, all_wide(m1), all_wide(0.0))));
-    const wide q4_m = v13 + (v11 + (v10 - pick_wide(half_turn < v10, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v10 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide v13 = angle1_ + angle1__ - angle1;
+    const wide v14 = angle1___ - angle1_ - angle1;
+    const wide q1_p = v11 + (angle1__ + v10);
+    const wide q1_m = v12 + (angle1___ + v10);
+    const wide q2_p = v11 + (angle1_ + v10);
+    const wide q2_m = v12 + (v10 - angle1_);
+    const wide v15 = v10 + (r3 + (w2 - w2));
+    const wide q3_p = v11 + v15;
+    const wide q3_m = v12 + v15;
+    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v13 <= -half_turn, all_wide(m3), all_wide(0.0))));
+    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v14 <= -half_turn, all_wide(m3), all_wide(0.0))));
     const wide_mask doubt = (free1_m | (free12m4 | free1_m)) | ((free12m4 | (((shortest2_reach <=
         N2) & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
         (free1_p | (free12m4 | free1_p)));
@@ -513,61 +519,66 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double r3 = d1 - T34;
 
     /* theta12m4 */
-    const double w12m4 = sqrt(T21 * T21 + T11 * T11);
-    const int free12m4 = w12m4 <= free_limit_squared;
-    const double v1 = 1.0 / w12m4;
-    const double c12m4 = T11 * v1;
-    const double s12m4 = T21 * v1;
-    const four theta12m4 = atan2_four(all_four(s12m4), all_four(c12m4));
+    const double v1 = T21 * T21 + T11 * T11;
+    const int free12m4 = v1 <= m1;
+    const double v2 = 1.0 / sqrt(v1);
+    const double c12m4 = T11 * v2;
+    const double s12m4 = T21 * v2;
 
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24;
+    const double K2 = N2 - k1;
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
     const double s2 = k2 * w2;
-    const double c2 = k2 * (N2 - k1);
-    const four q2_ = atan2_four(all_four(s2), all_four(c2));
+    const double c2 = k2 * K2;
 
     /* theta1 */
     const double X1_1 = a1 + a2 * c2;
     const double Y1_1 = a2 * s2;
-    const double v2 = T24 * X1_1;
-    const double v3 = T14 * Y1_1;
-    const four S1 = v2 - e1 * v3;
-    const double v4 = T14 * X1_1;
-    const double v5 = T24 * Y1_1;
-    const four C1 = v4 + e1 * v5;
-    const four w1 = sqrt_four(S1 * S1 + C1 * C1);
-    const four_mask free1 = w1 <= free_limit_squared2;
-    const four factor1 = 1.0 / w1;
+    const double v3 = T24 * X1_1;
+    const double v4 = T14 * Y1_1;
+    const four S1 = v3 - e1 * v4;
+    const double v5 = T14 * X1_1;
+    const double v6 = T24 * Y1_1;
+    const four C1 = v5 + e1 * v6;
+    const four v7 = S1 * S1 + C1 * C1;
+    const four_mask free1 = v7 <= m2;
+    const four factor1 = 1.0 / sqrt_four(v7);
     const four c1 = C1 * factor1;
     const four s1 = S1 * factor1;
-    const four q1_ = atan2_four(s1, c1);
 
     /* is the pose one that the arm can take? */
-    const double v6 = sqrt(((fabs(T34 - (d1 - r3)) <= pose_slack1) & ((fabs(1.0 + T33) <=
-        pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <=
-        pose_slack) & ((fabs(c12m4 + T22) <= pose_slack) & ((fabs(T21 - s12m4) <= pose_slack) &
-        ((fabs(T13) <= pose_slack) & ((fabs(T11 - c12m4) <= pose_slack) & (fabs(T12 - s12m4) <=
-        pose_slack)))))))))) ? 0.0 : (-1.0));
-    const four v7 = sqrt_four(pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + a1 * c1))
-        <= pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + a1 * s1)) <=
-        pose_slack1), all_four(0.0), all_four(-1.0)));
+    const double v8 = sqrt(-1.0);
+    const double v9 = ((fabs(T34 - (d1 - r3)) <= pose_slack1) & ((fabs(1.0 + T33) <= pose_slack) &
+        ((fabs(T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <= pose_slack) &
+        ((fabs(c12m4 + T22) <= pose_slack) & ((fabs(T21 - s12m4) <= pose_slack) & ((fabs(T13) <=
+        pose_slack) & ((fabs(T11 - c12m4) <= pose_slack) & (fabs(T12 - s12m4) <=
+        pose_slack)))))))))) ? 0.0 : v8;
+    const four v10 = pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + a1 * c1)) <=
+        pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + a1 * s1)) <= pose_slack1),
+        all_four(0.0), all_four(v8));
 
     /* joint values */
-    const four v8 = e1 * q2_;
-    const four v9 = q1_ + v8 - theta12m4;
-    const double v10 = v6 - v6;
-    const four v11 = v7 - v7;
-    const four q1 = v11 + (q1_ + v10);
-    const four q2 = v11 + (v8 + v10);
-    const double v12 = v10 + (r3 + (w2 - w2));
-    const four q3 = v11 + v12;
-    const four q4 = v11 + (v10 + (v9 - pick_four(half_turn < v9, all_four(m1), all_four(0.0)) +
-        pick_four(v9 <= -half_turn, all_four(m1), all_four(0.0))));
+    const double v13 = v9 + (r3 + (w2 - w2));
+    const four q3 = v10 + v13;
     const int doubt1 = free12m4 | (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free1 | ((all_four(free12m4 ?
         1.0 : 0.0) > 0.0) | free1));
+
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
+        all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3),
+        all_four(K2), 0, 1, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four v11 = e1 * angle1_;
+    const four v12 = angle1__ + v11 - angle1;
+    const four q1 = v10 + (angle1__ + v9);
+    const four q2 = v10 + (v9 + v11);
+    const four q4 = v10 + (v9 + (v12 - pick_four(half_turn < v12, all_four(m3), all_four(0.0)) +
+        pick_four(v12 <= -half_turn, all_four(m3), all_four(0.0))));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -28,7 +28,9 @@ static const double k1 = 0.27999999999999997; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.28250000000000003; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 12.755102040816327; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* m1 * 2 */
+static const double m1 = 1.3224999999999998e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 1.749006249999999e-48; /* free_limit_squared2^2 [m^4] */
+static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const arm_3r_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -166,25 +168,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -218,25 +222,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -251,25 +257,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -298,66 +306,58 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
-    const wide factor1 = 1.0 / w1;
-    const wide v1 = atan2_wide(-(T24 * factor1), -(T14 * factor1));
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
+    const wide angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v2 = k3 * (k1 * (N3 - k2));
-    const wide c3 = k3 * (k1 * w3);
-    const wide q3_pp = atan2_wide(-v2, c3);
-    const wide q3_pm = copysign_wide(all_wide(half_turn), -v2) * h1 - q3_pp;
+    const wide v2 = w3 - w3;
+    const wide v3 = k1 * (N3 - k2);
+    const wide v4 = k1 * w3;
+    const wide angle1_ = atan2_wide(-v3, v4);
+    const wide q3_pm = copysign_wide(all_wide(half_turn), -v3) * h1 - angle1_;
 
     /* theta2 */
-    const wide v3 = d4 * c3;
-    const wide Y1_2 = a2 + d4 * v2;
-    const wide v4 = Z1_3 * Y1_2;
-    const wide v5 = w1 * v3;
-    const wide S2_pp = v5 - v4;
-    const wide v6 = v4 + v5;
-    const wide v7 = w1 * Y1_2;
-    const wide v8 = Z1_3 * v3;
-    const wide v9 = v7 + v8;
-    const wide v10 = v7 - v8;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v9 * v9);
-    const wide v11 = v6 * v6;
-    const wide w2_pm = sqrt_wide(v11 + v10 * v10);
-    const wide w2_mp = sqrt_wide(v11 + -v10 * -v10);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide v12 = S2_pp * factor2_pp;
-    const wide v13 = v9 * factor2_pp;
-    const wide q2_pp = atan2_wide(v12, -v13);
-    const wide q2_pm = atan2_wide(-(v6 * factor2_pm), -(v10 * factor2_pm));
-    const wide q2_mp = atan2_wide(-(v6 * factor2_mp), -(-v10 * factor2_mp));
-    const wide q2_mm = atan2_wide(v12, v13);
+    const wide v5 = d4 * (k3 * v4);
+    const wide Y1_2 = a2 + d4 * (k3 * v3);
+    const wide v6 = Z1_3 * Y1_2;
+    const wide v7 = w1 * v5;
+    const wide S2_pp = v7 - v6;
+    const wide v8 = v6 + v7;
+    const wide v9 = w1 * Y1_2;
+    const wide v10 = Z1_3 * v5;
+    const wide v11 = v9 + v10;
+    const wide v12 = v9 - v10;
+    const wide v13 = v8 * v8;
+    const wide angle1__ = atan2_wide(S2_pp, -v11);
+    const wide angle1___ = atan2_wide(-v8, -v12);
+    const wide angle1____ = atan2_wide(-v8, v12);
+    const wide angle1_____ = atan2_wide(S2_pp, v11);
 
     /* joint values */
-    const wide v14 = w3 - w3;
-    const wide q1_pp = v1 + v14;
-    const wide q1_mp = v14 + (v1 - copysign_wide(all_wide(half_turn), -(T24 * factor1)) * h1);
-    const wide_mask doubt = (w2_mp <= free_limit_squared2) | ((w2_pm <= free_limit_squared2) |
-        ((w2_pp <= free_limit_squared2) | ((w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)))));
+    const wide q1_pp = angle1 + v2;
+    const wide q1_mp = v2 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide_mask doubt = (v13 + -v12 * -v12 <= m3) | ((v13 + v12 * v12 <= m3) | ((S2_pp * S2_pp +
+        v11 * v11 <= m3) | ((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)))));
 
     q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
+    q[1] = angle1__;
+    q[2] = angle1_;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[3] = q1_pp;
-    q[4] = q2_pm;
+    q[4] = angle1___;
     q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
     q[6] = q1_mp;
-    q[7] = q2_mp;
-    q[8] = q3_pp;
+    q[7] = angle1____;
+    q[8] = angle1_;
     kind[2] = kind_of(q[6] != q[6], 0);
     q[9] = q1_mp;
-    q[10] = q2_mm;
+    q[10] = angle1_____;
     q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -417,7 +417,7 @@ HELPER double irregularity_double(const double T[16])
     return 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
@@ -429,49 +429,50 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
-    const double factor1 = 1.0 / w1;
-    const four v1 = atan2_four(all_four(-(T24 * factor1)), all_four(-(T14 * factor1)));
-    const double v2 = copysign(half_turn, -(T24 * factor1));
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
+    const double v2 = copysign(half_turn, -T24);
 
     /* theta3 */
     const double Z1_3 = T34 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v3 = k3 * (k1 * (N3 - k2));
-    const double c3 = k3 * (k1 * w3);
-    const four v4 = atan2_four(all_four(-v3), all_four(c3));
-    const double v5 = copysign(half_turn, -v3);
-    const four q3 = e2 * v4 + v5 * (m1 * (1.0 - e2));
+    const double v3 = w3 - w3;
+    const double v4 = k1 * (N3 - k2);
+    const double v5 = k1 * w3;
+    const double v6 = copysign(half_turn, -v4);
 
     /* theta2 */
-    const double v6 = d4 * c3;
-    const double Y1_2 = a2 + d4 * v3;
-    const double v7 = Z1_3 * Y1_2;
-    const double v8 = w1 * v6;
-    const four S2 = v8 * (e1 * e2) - v7;
-    const double v9 = w1 * Y1_2;
-    const double v10 = Z1_3 * v6;
-    const four v11 = e2 * v10;
-    const four v12 = e1 * v9;
-    const four v13 = v11 + v12;
-    const four w2 = sqrt_four(S2 * S2 + v13 * v13);
-    const four factor2 = 1.0 / w2;
-    const four q2 = atan2_four(S2 * factor2, -(v13 * factor2));
+    const double v7 = d4 * (k3 * v5);
+    const double Y1_2 = a2 + d4 * (k3 * v4);
+    const double v8 = Z1_3 * Y1_2;
+    const double v9 = w1 * v7;
+    const four S2 = v9 * (e1 * e2) - v8;
+    const double v10 = w1 * Y1_2;
+    const double v11 = Z1_3 * v7;
+    const four v12 = e2 * v11;
+    const four v13 = e1 * v10;
+    const four v14 = v12 + v13;
 
     /* joint values */
-    const double v14 = w3 - w3;
-    const four q1 = v14 + (v1 + v2 * (m1 * (e1 - 1.0)));
-    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (w2 <= free_limit_squared2) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (S2 * S2 + v14 * v14 <= m3) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    const four angle1__ = atan2_four(S2, -v14);
+    const four packed2 = atan2_four((four){ -T24, -v4, -T24, -T24 }, (four){ -T14, v5, -T14, -T14
+        });
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q3 = e2 * angle1_ + v6 * (m2 * (1.0 - e2));
+    const four q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2);
+    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle1__);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
     const four_mask kind1 = kind_of(q1 != q1, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);

@@ -30,7 +30,10 @@ static const double k1 = 0.27999999999999997; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.28250000000000003; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 12.755102040816327; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* m1 * 2 */
+static const double m1 = 1.5624999999999999e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 2.4414062499999996e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const arm_6r_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -266,25 +269,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -318,25 +323,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -351,25 +358,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -411,179 +420,172 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide v1 = wx * wx + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = wx * factor1;
+    const wide v2 = wx * factor1;
     const wide s1 = Y1 * factor1;
-    const wide v2 = atan2_wide(s1, -v1);
+    const wide angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = k3 * (k1 * (N3 - k2));
-    const wide c3 = k3 * (k1 * w3);
-    const wide q3_ppp = atan2_wide(-v3, c3);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v3) * h1 - q3_ppp;
+    const wide v3 = w3 - w3;
+    const wide v4 = k1 * (N3 - k2);
+    const wide v5 = k3 * v4;
+    const wide v6 = k1 * w3;
+    const wide c3 = k3 * v6;
+    const wide angle1_ = atan2_wide(-v4, v6);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle1_;
 
     /* theta2 */
-    const wide v4 = d4 * c3;
-    const wide Y1_2 = a2 + d4 * v3;
-    const wide v5 = Z1_3 * Y1_2;
-    const wide v6 = w1 * v4;
-    const wide S2_pp = v6 - v5;
-    const wide v7 = v5 + v6;
-    const wide v8 = w1 * Y1_2;
-    const wide v9 = Z1_3 * v4;
+    const wide v7 = d4 * c3;
+    const wide Y1_2 = a2 + d4 * v5;
+    const wide v8 = Z1_3 * Y1_2;
+    const wide v9 = w1 * v7;
+    const wide S2_pp = v9 - v8;
     const wide v10 = v8 + v9;
-    const wide v11 = v8 - v9;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v10 * v10);
-    const wide v12 = v7 * v7;
-    const wide w2_pm = sqrt_wide(v12 + v11 * v11);
-    const wide w2_mp = sqrt_wide(v12 + -v11 * -v11);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide v13 = v10 * factor2_pp;
-    const wide v14 = v11 * factor2_pm;
-    const wide v15 = -v11 * factor2_mp;
+    const wide v11 = w1 * Y1_2;
+    const wide v12 = Z1_3 * v7;
+    const wide v13 = v11 + v12;
+    const wide v14 = v11 - v12;
+    const wide v15 = S2_pp * S2_pp + v13 * v13;
+    const wide v16 = v10 * v10;
+    const wide v17 = v16 + v14 * v14;
+    const wide v18 = v16 + -v14 * -v14;
+    const wide factor2_pp = 1.0 / sqrt_wide(v15);
+    const wide factor2_pm = 1.0 / sqrt_wide(v17);
+    const wide factor2_mp = 1.0 / sqrt_wide(v18);
+    const wide v19 = v13 * factor2_pp;
+    const wide v20 = v14 * factor2_pm;
+    const wide v21 = -v14 * factor2_mp;
     const wide s2_pp = S2_pp * factor2_pp;
-    const wide v16 = v7 * factor2_pm;
-    const wide v17 = v7 * factor2_mp;
-    const wide q2_ppp = atan2_wide(s2_pp, -v13);
-    const wide q2_pmp = atan2_wide(-v16, -v14);
-    const wide q2_mpp = atan2_wide(-v17, -v15);
-    const wide q2_mmp = atan2_wide(s2_pp, v13);
+    const wide v22 = v10 * factor2_pm;
+    const wide v23 = v10 * factor2_mp;
+    const wide angle1__ = atan2_wide(S2_pp, -v13);
+    const wide angle1___ = atan2_wide(-v10, -v14);
+    const wide angle1____ = atan2_wide(-v10, v14);
+    const wide angle1_____ = atan2_wide(S2_pp, v13);
 
     /* theta4 */
-    const wide c23_pp = v3 * s2_pp - c3 * v13;
-    const wide c23_pm = c3 * v14 - v3 * v16;
-    const wide v18 = v3 * v17 + c3 * v15;
-    const wide s23_pp = v3 * v13 + c3 * s2_pp;
-    const wide s23_pm = v3 * v14 + c3 * v16;
-    const wide s23_mp = v3 * v15 - c3 * v17;
-    const wide v19 = T23 * s1 - T13 * v1;
-    const wide X4_pp = T33 * s23_pp - c23_pp * v19;
-    const wide X4_pm = T33 * s23_pm - c23_pm * v19;
-    const wide X4_mp = T33 * s23_mp - v18 * v19;
-    const wide Y4 = T13 * s1 + T23 * v1;
-    const wide v20 = Y4 * Y4;
-    const wide w4_pp = sqrt_wide(v20 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v20 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v20 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v20 + -X4_pp * -X4_pp);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v21 = X4_pp * factor4_pp;
-    const wide v22 = X4_pm * factor4_pm;
-    const wide v23 = X4_mp * factor4_mp;
-    const wide v24 = -X4_pp * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp;
-    const wide s4_pm = Y4 * factor4_pm;
-    const wide s4_mp = Y4 * factor4_mp;
-    const wide s4_mm = Y4 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v21);
-    const wide q4_pmp = atan2_wide(s4_pm, -v22);
-    const wide q4_mpp = atan2_wide(-s4_mp, -v23);
-    const wide q4_mmp = atan2_wide(-s4_mm, -v24);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4_pp);
-    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), s4_pm);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
-    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+    const wide c23_pp = v5 * s2_pp - c3 * v19;
+    const wide c23_pm = c3 * v20 - v5 * v22;
+    const wide v24 = v5 * v23 + c3 * v21;
+    const wide s23_pp = v5 * v19 + c3 * s2_pp;
+    const wide s23_pm = v5 * v20 + c3 * v22;
+    const wide s23_mp = v5 * v21 - c3 * v23;
+    const wide v25 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * s23_pp - c23_pp * v25;
+    const wide X4_pm = T33 * s23_pm - c23_pm * v25;
+    const wide X4_mp = T33 * s23_mp - v24 * v25;
+    const wide Y4 = T13 * s1 + T23 * v2;
+    const wide v26 = Y4 * Y4;
+    const wide v27 = v26 + X4_pp * X4_pp;
+    const wide v28 = v26 + X4_pm * X4_pm;
+    const wide v29 = v26 + X4_mp * X4_mp;
+    const wide v30 = v26 + -X4_pp * -X4_pp;
+    const wide angle1______ = atan2_wide(Y4, -X4_pp);
+    const wide angle1_______ = atan2_wide(Y4, -X4_pm);
+    const wide angle1________ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1_________ = atan2_wide(-Y4, X4_pp);
+    const wide v31 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v32 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1______ - v31;
+    const wide q4_pmm = angle1_______ - v31;
+    const wide q4_mpm = angle1________ - v32;
+    const wide q4_mmm = angle1_________ - v32;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(-w4_pp, -(T33 * c23_pp + s23_pp * v19));
-    const wide q5_pmp = atan2_wide(-w4_pm, -(T33 * c23_pm + s23_pm * v19));
-    const wide q5_mpp = atan2_wide(-w4_mp, T33 * v18 + s23_mp * v19);
-    const wide q5_mmp = atan2_wide(-w4_mm, -(T33 * c23_pp + s23_pp * v19));
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v27), -(T33 * c23_pp + s23_pp * v25));
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v28), -(T33 * c23_pm + s23_pm * v25));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v29), T33 * v24 + s23_mp * v25);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v30), -(T33 * c23_pp + s23_pp * v25));
 
     /* theta6 */
-    const wide v25 = v1 * T22 + s1 * T12;
-    const wide v26 = s1 * T22 - v1 * T12;
-    const wide v27 = v1 * T21 + s1 * T11;
-    const wide v28 = s1 * T21 - v1 * T11;
-    const wide v29 = c23_pp * v28 - s23_pp * T31;
-    const wide v30 = c23_pp * v26 - s23_pp * T32;
-    const wide q6_ppp = atan2_wide(-(v21 * v27 + s4_pp * v29), -(v21 * v25 + s4_pp * v30));
-    const wide q6_pmp = atan2_wide(-(v22 * v27 + s4_pm * (c23_pm * v28 - s23_pm * T31)), -(v22 * v25
-        + s4_pm * (c23_pm * v26 - s23_pm * T32)));
-    const wide v31 = v23 * v27 + s4_mp * (v18 * v28 - s23_mp * T31);
-    const wide q6_mpp = atan2_wide(v31, v23 * v25 + s4_mp * (v18 * v26 - s23_mp * T32));
-    const wide v32 = v24 * v27 + s4_mm * -v29;
-    const wide q6_mmp = atan2_wide(v32, v24 * v25 + s4_mm * -v30);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), -(v21 * v27 + s4_pp *
-        v29));
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), -(v22 * v27 + s4_pm *
-        (c23_pm * v28 - s23_pm * T31)));
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v31);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v32);
+    const wide v33 = v2 * T22 + s1 * T12;
+    const wide v34 = s1 * T22 - v2 * T12;
+    const wide v35 = v2 * T21 + s1 * T11;
+    const wide v36 = s1 * T21 - v2 * T11;
+    const wide v37 = c23_pp * v36 - s23_pp * T31;
+    const wide v38 = -X4_pp * v35 - Y4 * v37;
+    const wide v39 = -X4_pm * v35 - Y4 * (c23_pm * v36 - s23_pm * T31);
+    const wide v40 = Y4 * (v24 * v36 - s23_mp * T31) - -X4_mp * v35;
+    const wide v41 = Y4 * -v37 - X4_pp * v35;
+    const wide v42 = c23_pp * v34 - s23_pp * T32;
+    const wide angle1______________ = atan2_wide(v38, -X4_pp * v33 - Y4 * v42);
+    const wide angle1_______________ = atan2_wide(v39, -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm *
+        T32));
+    const wide angle1________________ = atan2_wide(v40, Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp *
+        v33);
+    const wide angle1_________________ = atan2_wide(v41, Y4 * -v42 - X4_pp * v33);
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v38);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v39);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v40);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v41);
 
     /* joint values */
-    const wide v33 = w3 - w3;
-    const wide q1_ppp = v2 + v33;
-    const wide q1_mpp = v33 + (v2 - copysign_wide(all_wide(half_turn), s1) * h1);
-    const wide_mask v34 = w2_pp <= free_limit_squared2;
-    const wide_mask doubt = (v34 | (w4_mm <= free_limit)) | (((w2_mp <= free_limit_squared2) |
-        (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <= free_limit)) | (((w1
-        <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0))) | (v34 | (w4_pp <= free_limit)))));
+    const wide q1_ppp = angle1 + v3;
+    const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
+    const wide_mask v43 = v15 <= m3;
+    const wide_mask doubt = (v43 | (v30 <= m4)) | (((v18 <= m3) | (v29 <= m4)) | (((v17 <= m3) |
+        (v28 <= m4)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v43 | (v27 <= m4)))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[1] = angle1__;
+    q[2] = angle1_;
+    q[3] = angle1______;
+    q[4] = angle1__________;
+    q[5] = angle1______________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
+    q[7] = angle1__;
+    q[8] = angle1_;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1__________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
+    q[13] = angle1___;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1_______;
+    q[16] = angle1___________;
+    q[17] = angle1_______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
+    q[19] = angle1___;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1___________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[25] = angle1____;
+    q[26] = angle1_;
+    q[27] = angle1________;
+    q[28] = angle1____________;
+    q[29] = angle1________________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
+    q[31] = angle1____;
+    q[32] = angle1_;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1____________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
+    q[37] = angle1_____;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1_________;
+    q[40] = angle1_____________;
+    q[41] = angle1_________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
+    q[43] = angle1_____;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1_____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -654,7 +656,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -668,91 +670,91 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(wx * wx + Y1 * Y1);
+    const double v1 = wx * wx + Y1 * Y1;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = wx * factor1;
+    const double v2 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = k3 * (k1 * (N3 - k2));
-    const double c3 = k3 * (k1 * w3);
-    const four v5 = atan2_four(all_four(-v4), all_four(c3));
-    const double v6 = copysign(half_turn, -v4);
-    const four q3_p = e2 * v5 + v6 * (m1 * (1.0 - e2));
+    const double v4 = w3 - w3;
+    const double v5 = k1 * (N3 - k2);
+    const double v6 = k3 * v5;
+    const double v7 = k1 * w3;
+    const double c3 = k3 * v7;
+    const double v8 = copysign(half_turn, -v5);
 
     /* theta2 */
-    const double v7 = d4 * c3;
-    const double Y1_2 = a2 + d4 * v4;
-    const double v8 = Z1_3 * Y1_2;
-    const double v9 = w1 * v7;
-    const four S2 = v9 * (e1 * e2) - v8;
-    const double v10 = w1 * Y1_2;
-    const double v11 = Z1_3 * v7;
-    const four v12 = e2 * v11;
-    const four v13 = e1 * v10;
-    const four v14 = v12 + v13;
-    const four w2 = sqrt_four(S2 * S2 + v14 * v14);
-    const four factor2 = 1.0 / w2;
-    const four v15 = v14 * factor2;
+    const double v9 = d4 * c3;
+    const double Y1_2 = a2 + d4 * v6;
+    const double v10 = Z1_3 * Y1_2;
+    const double v11 = w1 * v9;
+    const four S2 = v11 * (e1 * e2) - v10;
+    const double v12 = w1 * Y1_2;
+    const double v13 = Z1_3 * v9;
+    const four v14 = e2 * v13;
+    const four v15 = e1 * v12;
+    const four v16 = v14 + v15;
+    const four v17 = S2 * S2 + v16 * v16;
+    const four factor2 = 1.0 / sqrt_four(v17);
+    const four v18 = v16 * factor2;
     const four s2 = S2 * factor2;
-    const four q2_p = atan2_four(s2, -v15);
 
     /* theta4 */
-    const four c23 = v4 * s2 - e2 * (c3 * v15);
-    const four s23 = v4 * v15 + e2 * (c3 * s2);
-    const double v16 = T23 * s1 - T13 * v1;
-    const four X4 = T33 * s23 - e1 * (c23 * v16);
-    const double Y4 = T13 * s1 + T23 * v1;
-    const double v17 = Y4 * Y4;
-    const four w4 = sqrt_four(v17 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v18 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v19 = e1 * s4;
-    const four q4_p = atan2_four(v19, -v18);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), v19) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(-w4, -(T33 * c23 + e1 * (s23 * v16)));
+    const four c23 = v6 * s2 - e2 * (c3 * v18);
+    const four s23 = v6 * v18 + e2 * (c3 * s2);
+    const double v19 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * s23 - e1 * (c23 * v19);
+    const double Y4 = T13 * s1 + T23 * v2;
+    const double v20 = Y4 * Y4;
+    const four v21 = v20 + X4 * X4;
+    const four v22 = e1 * Y4;
+    const four v23 = copysign_four(all_four(half_turn), v22) * h1;
 
     /* theta6 */
-    const double v20 = v1 * T22 + s1 * T12;
-    const double v21 = s1 * T22 - v1 * T12;
-    const double v22 = v1 * T21 + s1 * T11;
-    const double v23 = s1 * T21 - v1 * T11;
-    const four q6_p = atan2_four(-(e1 * (v18 * v22 + s4 * (e1 * (c23 * v23) - s23 * T31))), -(e1 *
-        (v18 * v20 + s4 * (e1 * (c23 * v21) - s23 * T32))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), -(e1 * (v18 * v22 + s4 * (e1 *
-        (c23 * v23) - s23 * T31))));
+    const double v24 = v2 * T22 + s1 * T12;
+    const double v25 = s1 * T22 - v2 * T12;
+    const double v26 = v2 * T21 + s1 * T11;
+    const double v27 = s1 * T21 - v2 * T11;
+    const four v28 = e1 * (-X4 * v26 - Y4 * (e1 * (c23 * v27) - s23 * T31));
 
     /* joint values */
-    const double v24 = w3 - w3;
-    const four q1_p = v24 + (v2 + v3 * (m1 * (e1 - 1.0)));
-    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m3) | (v21 <= m4));
+
+    const four angle1__ = atan2_four(S2, -v16);
+    const four angle1___ = atan2_four(v22, -X4);
+    const four angle1____ = atan2_four(-sqrt_four(v21), -(T33 * c23 + e1 * (s23 * v19)));
+    const four angle1_____ = atan2_four(v28, e1 * (-X4 * v24 - Y4 * (e1 * (c23 * v25) - s23 *
+        T32)));
+    const four packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx });
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_p = e2 * angle1_ + v8 * (m2 * (1.0 - e2));
+    const four q4_m = angle1___ - v23;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v28);
+    const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

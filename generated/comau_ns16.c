@@ -43,6 +43,7 @@ static const double k5 = 0.259; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.9136009999999999; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k7 = 1.204444941425193; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double turn1 = -1.2825771957649381; /* a constant angle [rad] */
 static const double low1 = -3.141590001; /* lowest value of joint 1 */
 static const double high1 = 3.141590001; /* highest value of joint 1 */
 static const double low2 = -0.872660001; /* lowest value of joint 2 */
@@ -51,8 +52,10 @@ static const double low3 = -2.967000001; /* lowest value of joint 3 */
 static const double high3 = 1.919800001; /* highest value of joint 3 */
 static const double low5 = -3.141590001; /* lowest value of joint 5 */
 static const double high5 = 3.141590001; /* highest value of joint 5 */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double m1 = 5.685938154625594e-47; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m4 */
 
 const char *const comau_ns16_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -310,25 +313,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -362,25 +367,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -395,25 +402,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -463,41 +472,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v1 = k1 * X1;
     const wide v2 = k1 * wy;
     const wide v3 = X1 * w1;
-    const wide c1_p = inverse1 * (v2 - v3);
-    const wide c1_m = inverse1 * (v2 + v3);
-    const wide v4 = wy * w1;
-    const wide s1_p = inverse1 * (v1 + v4);
-    const wide s1_m = inverse1 * (v1 - v4);
-    const wide q1__p = atan2_wide(s1_p, c1_p);
-    const wide q1__m = atan2_wide(s1_m, c1_m);
+    const wide v4 = v2 - v3;
+    const wide v5 = v2 + v3;
+    const wide c1_p = inverse1 * v4;
+    const wide c1_m = inverse1 * v5;
+    const wide v6 = wy * w1;
+    const wide v7 = v1 + v6;
+    const wide v8 = v1 - v6;
+    const wide s1_p = inverse1 * v7;
+    const wide s1_m = inverse1 * v8;
+    const wide angle1 = atan2_wide(v7, v4);
+    const wide angle1_ = atan2_wide(v8, v5);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide Z2_3_p = w1 - a1;
-    const wide v5 = a1 + w1;
-    const wide v6 = Z1_3 * Z1_3;
-    const wide N3_p = v6 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v6 + v5 * v5;
+    const wide v9 = a1 + w1;
+    const wide v10 = Z1_3 * Z1_3;
+    const wide N3_p = v10 + Z2_3_p * Z2_3_p;
+    const wide N3_m = v10 + v9 * v9;
     const wide K3_p = N3_p - k6;
     const wide K3_m = N3_m - k6;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v7 = k4 * K3_p;
-    const wide v8 = k4 * K3_m;
-    const wide v9 = k5 * w3_p;
-    const wide v10 = k5 * w3_m;
-    const wide s3_pp = k7 * (v7 + v9);
-    const wide s3_pm = k7 * (v7 - v9);
-    const wide s3_mp = k7 * (v8 + v10);
-    const wide s3_mm = k7 * (v8 - v10);
-    const wide v11 = k5 * K3_p;
-    const wide v12 = k5 * K3_m;
-    const wide v13 = k4 * w3_p;
-    const wide v14 = k4 * w3_m;
-    const wide c3_pp = k7 * (v11 - v13);
-    const wide c3_pm = k7 * (v11 + v13);
-    const wide c3_mp = k7 * (v12 - v14);
-    const wide c3_mm = k7 * (v12 + v14);
+    const wide v11 = k4 * K3_p;
+    const wide v12 = k4 * K3_m;
+    const wide v13 = k5 * w3_p;
+    const wide v14 = k5 * w3_m;
+    const wide s3_pp = k7 * (v11 + v13);
+    const wide s3_pm = k7 * (v11 - v13);
+    const wide s3_mp = k7 * (v12 + v14);
+    const wide s3_mm = k7 * (v12 - v14);
+    const wide v15 = k5 * K3_p;
+    const wide v16 = k5 * K3_m;
+    const wide v17 = k4 * w3_p;
+    const wide v18 = k4 * w3_m;
+    const wide c3_pp = k7 * (v15 - v17);
+    const wide c3_pm = k7 * (v15 + v17);
+    const wide c3_mp = k7 * (v16 - v18);
+    const wide c3_mm = k7 * (v16 + v18);
 
     /* theta2 */
     const wide X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp);
@@ -510,24 +523,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1_2_mm = d4 * c3_mm - a3 * s3_mm;
     const wide S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp;
     const wide S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm;
-    const wide S2_mp = Z1_3 * X1_2_mp + v5 * Y1_2_mp;
-    const wide S2_mm = Z1_3 * X1_2_mm + v5 * Y1_2_mm;
+    const wide S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp;
+    const wide S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm;
     const wide C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp;
     const wide C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm;
-    const wide v15 = v5 * X1_2_mp + Z1_3 * -Y1_2_mp;
-    const wide v16 = v5 * X1_2_mm + Z1_3 * -Y1_2_mm;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v15 * v15);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v16 * v16);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp;
+    const wide v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm;
+    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v22 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v23 = S2_mp * S2_mp + v19 * v19;
+    const wide v24 = S2_mm * S2_mm + v20 * v20;
+    const wide factor2_pp = 1.0 / sqrt_wide(v21);
+    const wide factor2_pm = 1.0 / sqrt_wide(v22);
+    const wide factor2_mp = 1.0 / sqrt_wide(v23);
+    const wide factor2_mm = 1.0 / sqrt_wide(v24);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
-    const wide v17 = v15 * factor2_mp;
-    const wide v18 = v16 * factor2_mm;
+    const wide v25 = v19 * factor2_mp;
+    const wide v26 = v20 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
@@ -536,157 +549,159 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta4 */
     const wide c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp;
     const wide c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm;
-    const wide c2m3_mp = s3_mp * s2_mp - c3_mp * v17;
-    const wide c2m3_mm = s3_mm * s2_mm - c3_mm * v18;
+    const wide c2m3_mp = s3_mp * s2_mp - c3_mp * v25;
+    const wide c2m3_mm = s3_mm * s2_mm - c3_mm * v26;
     const wide s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp;
     const wide s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm;
-    const wide s2m3_mp = c3_mp * s2_mp + s3_mp * v17;
-    const wide s2m3_mm = c3_mm * s2_mm + s3_mm * v18;
-    const wide v19 = T13 * c1_p - T23 * s1_p;
-    const wide v20 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v19;
-    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v19;
-    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v20;
-    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v20;
+    const wide s2m3_mp = c3_mp * s2_mp + s3_mp * v25;
+    const wide s2m3_mm = c3_mm * s2_mm + s3_mm * v26;
+    const wide v27 = T13 * c1_p - T23 * s1_p;
+    const wide v28 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v27;
+    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v27;
+    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v28;
+    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v28;
     const wide Y4_p = T23 * c1_p + T13 * s1_p;
     const wide Y4_m = T23 * c1_m + T13 * s1_m;
-    const wide v21 = Y4_p * Y4_p;
-    const wide v22 = Y4_m * Y4_m;
-    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v22 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v22 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v23 = X4_pp * factor4_pp;
-    const wide v24 = X4_pm * factor4_pm;
-    const wide v25 = X4_mp * factor4_mp;
-    const wide v26 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4_p * factor4_pp;
-    const wide s4_pm = Y4_p * factor4_pm;
-    const wide s4_mp = Y4_m * factor4_mp;
-    const wide s4_mm = Y4_m * factor4_mm;
+    const wide v29 = Y4_p * Y4_p;
+    const wide v30 = Y4_m * Y4_m;
+    const wide v31 = v29 + X4_pp * X4_pp;
+    const wide v32 = v29 + X4_pm * X4_pm;
+    const wide v33 = v30 + X4_mp * X4_mp;
+    const wide v34 = v30 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v27 = c1_p * T22 + s1_p * T12;
-    const wide v28 = c1_m * T22 + s1_m * T12;
-    const wide v29 = c1_p * T12 - s1_p * T22;
-    const wide v30 = c1_m * T12 - s1_m * T22;
-    const wide v31 = c1_p * T21 + s1_p * T11;
-    const wide v32 = c1_m * T21 + s1_m * T11;
-    const wide v33 = c1_p * T11 - s1_p * T21;
-    const wide v34 = c1_m * T11 - s1_m * T21;
-    const wide s6_pp = s4_pp * (c2m3_pp * v33 - s2m3_pp * T31) + v23 * v31;
-    const wide s6_pm = s4_pm * (c2m3_pm * v33 - s2m3_pm * T31) + v24 * v31;
-    const wide s6_mp = s4_mp * (c2m3_mp * v34 - s2m3_mp * T31) + v25 * v32;
-    const wide s6_mm = s4_mm * (c2m3_mm * v34 - s2m3_mm * T31) + v26 * v32;
+    const wide v35 = c1_p * T22 + s1_p * T12;
+    const wide v36 = c1_m * T22 + s1_m * T12;
+    const wide v37 = c1_p * T12 - s1_p * T22;
+    const wide v38 = c1_m * T12 - s1_m * T22;
+    const wide v39 = c1_p * T21 + s1_p * T11;
+    const wide v40 = c1_m * T21 + s1_m * T11;
+    const wide v41 = c1_p * T11 - s1_p * T21;
+    const wide v42 = c1_m * T11 - s1_m * T21;
+    const wide s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp;
+    const wide s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm;
+    const wide s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp;
+    const wide s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm;
 
     /* joint values */
-    const wide v35 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v36 = atan2_wide(s2_pm, c2_pm) - offset2;
-    const wide v37 = atan2_wide(s2_mp, -v17) - offset2;
-    const wide v38 = atan2_wide(s2_mm, -v18) - offset2;
-    const wide q2_ppp = v35 - pick_wide(half_turn < v35, all_wide(m1), all_wide(0.0));
-    const wide q2_pmp = v36 - pick_wide(half_turn < v36, all_wide(m1), all_wide(0.0));
-    const wide q2_mpp = v37 - pick_wide(half_turn < v37, all_wide(m1), all_wide(0.0));
-    const wide q2_mmp = v38 - pick_wide(half_turn < v38, all_wide(m1), all_wide(0.0));
-    const wide v39 = atan2_wide(s3_pp, c3_pp) - offset3;
-    const wide v40 = atan2_wide(s3_pm, c3_pm) - offset3;
-    const wide v41 = atan2_wide(s3_mp, c3_mp) - offset3;
-    const wide v42 = atan2_wide(s3_mm, c3_mm) - offset3;
-    const wide q3_ppp = v39 + pick_wide(v39 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q3_pmp = v40 + pick_wide(v40 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q3_mpp = v41 + pick_wide(v41 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q3_mmp = v42 + pick_wide(v42 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide v43 = atan2_wide(s4_pp, -v23);
-    const wide v44 = atan2_wide(s4_pm, -v24);
-    const wide v45 = atan2_wide(s4_mp, -v25);
-    const wide v46 = atan2_wide(s4_mm, -v26);
-    const wide v47 = v43 - offset4;
-    const wide v48 = v43 - copysign_wide(all_wide(half_turn), s4_pp) * h1 - offset4;
-    const wide v49 = v44 - offset4;
-    const wide v50 = v44 - copysign_wide(all_wide(half_turn), s4_pm) * h1 - offset4;
-    const wide v51 = v45 - offset4;
-    const wide v52 = v45 - copysign_wide(all_wide(half_turn), s4_mp) * h1 - offset4;
-    const wide v53 = v46 - offset4;
-    const wide v54 = v46 - copysign_wide(all_wide(half_turn), s4_mm) * h1 - offset4;
-    const wide q4_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_ppm = v48 + pick_wide(v48 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_pmm = v50 + pick_wide(v50 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_mpp = v51 + pick_wide(v51 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_mpm = v52 + pick_wide(v52 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_mmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q4_mmm = v54 + pick_wide(v54 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide v55 = atan2_wide(-w4_pp, T33 * c2m3_pp + s2m3_pp * v19);
-    const wide v56 = atan2_wide(-w4_pm, T33 * c2m3_pm + s2m3_pm * v19);
-    const wide v57 = atan2_wide(-w4_mp, T33 * c2m3_mp + s2m3_mp * v20);
-    const wide v58 = atan2_wide(-w4_mm, T33 * c2m3_mm + s2m3_mm * v20);
-    const wide v59 = v55 - offset5;
-    const wide v60 = offset5 + v55;
-    const wide v61 = v56 - offset5;
-    const wide v62 = offset5 + v56;
-    const wide v63 = v57 - offset5;
-    const wide v64 = offset5 + v57;
-    const wide v65 = v58 - offset5;
-    const wide v66 = offset5 + v58;
-    const wide q5_ppp = v59 + pick_wide(v59 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v60 <= -half_turn, all_wide(m1), all_wide(0.0)) - v60;
-    const wide q5_pmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v62 <= -half_turn, all_wide(m1), all_wide(0.0)) - v62;
-    const wide q5_mpp = v63 + pick_wide(v63 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v64 <= -half_turn, all_wide(m1), all_wide(0.0)) - v64;
-    const wide q5_mmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v66 <= -half_turn, all_wide(m1), all_wide(0.0)) - v66;
-    const wide v67 = atan2_wide(s6_pp, -(v23 * v27 + s4_pp * (c2m3_pp * v29 - s2m3_pp * T32)));
-    const wide v68 = atan2_wide(s6_pm, -(v24 * v27 + s4_pm * (c2m3_pm * v29 - s2m3_pm * T32)));
-    const wide v69 = atan2_wide(s6_mp, -(v25 * v28 + s4_mp * (c2m3_mp * v30 - s2m3_mp * T32)));
-    const wide v70 = atan2_wide(s6_mm, -(v26 * v28 + s4_mm * (c2m3_mm * v30 - s2m3_mm * T32)));
-    const wide v71 = v67 - offset6;
-    const wide v72 = v67 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
-    const wide v73 = v68 - offset6;
-    const wide v74 = v68 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
-    const wide v75 = v69 - offset6;
-    const wide v76 = v69 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
-    const wide v77 = v70 - offset6;
-    const wide v78 = v70 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
-    const wide q6_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_ppm = v72 + pick_wide(v72 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_pmp = v73 + pick_wide(v73 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_pmm = v74 + pick_wide(v74 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_mpm = v76 + pick_wide(v76 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_mmp = v77 + pick_wide(v77 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide q6_mmm = v78 + pick_wide(v78 <= -half_turn, all_wide(m1), all_wide(0.0));
-    const wide_mask v79 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v80 = (q1__m < low1) | (high1 < q1__m);
-    const wide q1_ppp = q1__p + (w3_p - w3_p);
-    const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v81 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v79 | ((q2_ppp < low2) | (high2 <
+    const wide angle1__ = atan2_wide(S2_pp, C2_pp);
+    const wide v43 = angle1__ - offset2;
+    const wide angle1___ = atan2_wide(S2_pm, C2_pm);
+    const wide v44 = angle1___ - offset2;
+    const wide angle1____ = atan2_wide(S2_mp, -v19);
+    const wide v45 = angle1____ - offset2;
+    const wide angle1_____ = atan2_wide(S2_mm, -v20);
+    const wide v46 = angle1_____ - offset2;
+    const wide q2_ppp = v43 - pick_wide(half_turn < v43, all_wide(m3), all_wide(0.0));
+    const wide q2_pmp = v44 - pick_wide(half_turn < v44, all_wide(m3), all_wide(0.0));
+    const wide q2_mpp = v45 - pick_wide(half_turn < v45, all_wide(m3), all_wide(0.0));
+    const wide q2_mmp = v46 - pick_wide(half_turn < v46, all_wide(m3), all_wide(0.0));
+    const wide angle1______ = atan2_wide(w3_p, K3_p);
+    const wide angle1_______ = atan2_wide(w3_m, K3_m);
+    const wide v47 = angle1______ - turn1 - offset3;
+    const wide v48 = offset3 + (turn1 + angle1______);
+    const wide v49 = angle1_______ - turn1 - offset3;
+    const wide v50 = offset3 + (turn1 + angle1_______);
+    const wide q3_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q3_pmp = pick_wide(-v48 <= -half_turn, all_wide(m3), all_wide(0.0)) - v48;
+    const wide q3_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q3_mmp = pick_wide(-v50 <= -half_turn, all_wide(m3), all_wide(0.0)) - v50;
+    const wide angle1________ = atan2_wide(Y4_p, -X4_pp);
+    const wide angle1_________ = atan2_wide(Y4_p, -X4_pm);
+    const wide angle1__________ = atan2_wide(Y4_m, -X4_mp);
+    const wide angle1___________ = atan2_wide(Y4_m, -X4_mm);
+    const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
+    const wide v53 = angle1________ - offset4;
+    const wide v54 = angle1________ - v51 - offset4;
+    const wide v55 = angle1_________ - offset4;
+    const wide v56 = angle1_________ - v51 - offset4;
+    const wide v57 = angle1__________ - offset4;
+    const wide v58 = angle1__________ - v52 - offset4;
+    const wide v59 = angle1___________ - offset4;
+    const wide v60 = angle1___________ - v52 - offset4;
+    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v27);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v27);
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp + s2m3_mp * v28);
+    const wide angle1_______________ = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm + s2m3_mm * v28);
+    const wide v61 = angle1____________ - offset5;
+    const wide v62 = offset5 + angle1____________;
+    const wide v63 = angle1_____________ - offset5;
+    const wide v64 = offset5 + angle1_____________;
+    const wide v65 = angle1______________ - offset5;
+    const wide v66 = offset5 + angle1______________;
+    const wide v67 = angle1_______________ - offset5;
+    const wide v68 = offset5 + angle1_______________;
+    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m3), all_wide(0.0)) - v62;
+    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m3), all_wide(0.0)) - v64;
+    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m3), all_wide(0.0)) - v66;
+    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m3), all_wide(0.0)) - v68;
+    const wide angle1________________ = atan2_wide(s6_pp, v35 * -X4_pp - Y4_p * (c2m3_pp * v37 -
+        s2m3_pp * T32));
+    const wide angle1_________________ = atan2_wide(s6_pm, v35 * -X4_pm - Y4_p * (c2m3_pm * v37 -
+        s2m3_pm * T32));
+    const wide angle1__________________ = atan2_wide(s6_mp, v36 * -X4_mp - Y4_m * (c2m3_mp * v38 -
+        s2m3_mp * T32));
+    const wide angle1___________________ = atan2_wide(s6_mm, v36 * -X4_mm - Y4_m * (c2m3_mm * v38 -
+        s2m3_mm * T32));
+    const wide v69 = angle1________________ - offset6;
+    const wide v70 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
+        offset6;
+    const wide v71 = angle1_________________ - offset6;
+    const wide v72 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
+        offset6;
+    const wide v73 = angle1__________________ - offset6;
+    const wide v74 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
+        offset6;
+    const wide v75 = angle1___________________ - offset6;
+    const wide v76 = angle1___________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
+        offset6;
+    const wide q6_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide_mask v77 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v78 = (angle1_ < low1) | (high1 < angle1_);
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
+    const wide q1_mpp = angle1_ + (w3_m - w3_m);
+    const wide_mask v79 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v77 | ((q2_ppp < low2) | (high2 <
         q2_ppp)));
-    const wide_mask v82 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v79 | ((q2_pmp < low2) | (high2 <
+    const wide_mask v80 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v77 | ((q2_pmp < low2) | (high2 <
         q2_pmp)));
-    const wide_mask v83 = ((q3_mpp < low3) | (high3 < q3_mpp)) | (v80 | ((q2_mpp < low2) | (high2 <
+    const wide_mask v81 = ((q3_mpp < low3) | (high3 < q3_mpp)) | (v78 | ((q2_mpp < low2) | (high2 <
         q2_mpp)));
-    const wide_mask v84 = ((q3_mmp < low3) | (high3 < q3_mmp)) | (v80 | ((q2_mmp < low2) | (high2 <
+    const wide_mask v82 = ((q3_mmp < low3) | (high3 < q3_mmp)) | (v78 | ((q2_mmp < low2) | (high2 <
         q2_mmp)));
-    const wide_mask outside_ppp = v81 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v81 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v82 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v82 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v83 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v83 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v84 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v84 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) &
-        (free1 | ((k3 < D1) == 0)))))))));
+    const wide_mask outside_ppp = v79 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v79 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v80 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v80 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v81 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v81 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v82 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v82 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((v24 <= m1) | (v34 <= m2)) | (((v23 <= m1) | (v33 <= m2)) | (((v22 <=
+        m1) | (v32 <= m2)) | (((v21 <= m1) | (v31 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -833,84 +848,89 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = k1 * X1;
     const double v2 = k1 * wy;
     const double v3 = X1 * w1;
-    const four c1 = inverse1 * (v2 - e1 * v3);
-    const double v4 = wy * w1;
-    const four s1 = inverse1 * (v1 + e1 * v4);
-    const four q1_ = atan2_four(s1, c1);
+    const four v4 = v2 - e1 * v3;
+    const four c1 = inverse1 * v4;
+    const double v5 = wy * w1;
+    const four v6 = v1 + e1 * v5;
+    const four s1 = inverse1 * v6;
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const four Z2_3 = e1 * w1 - a1;
-    const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + Z2_3 * Z2_3;
+    const double v7 = Z1_3 * Z1_3;
+    const four N3 = v7 + Z2_3 * Z2_3;
     const four K3 = N3 - k6;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k4 * K3;
-    const four v7 = k5 * w3;
-    const four s3 = k7 * (v6 + e2 * v7);
-    const four v8 = k5 * K3;
-    const four v9 = k4 * w3;
-    const four c3 = k7 * (v8 - e2 * v9);
+    const four v8 = k4 * K3;
+    const four v9 = k5 * w3;
+    const four s3 = k7 * (v8 + e2 * v9);
+    const four v10 = k5 * K3;
+    const four v11 = k4 * w3;
+    const four c3 = k7 * (v10 - e2 * v11);
 
     /* theta2 */
     const four X1_2 = a2 + (a3 * c3 + d4 * s3);
     const four Y1_2 = d4 * c3 - a3 * s3;
     const four S2 = Z1_3 * X1_2 - Z2_3 * Y1_2;
     const four C2 = Z2_3 * X1_2 - Z1_3 * -Y1_2;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v12 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v12);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
     const four c2m3 = c3 * c2 + s3 * s2;
     const four s2m3 = c3 * s2 - s3 * c2;
-    const four v10 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v10;
+    const four v13 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v13;
     const four Y4 = T23 * c1 + T13 * s1;
-    const four v11 = Y4 * Y4;
-    const four w4 = sqrt_four(v11 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v12 = X4 * factor4;
-    const four s4 = Y4 * factor4;
+    const four v14 = Y4 * Y4;
+    const four v15 = v14 + X4 * X4;
 
     /* theta6 */
-    const four v13 = c1 * T22 + s1 * T12;
-    const four v14 = c1 * T12 - s1 * T22;
-    const four v15 = c1 * T21 + s1 * T11;
-    const four v16 = c1 * T11 - s1 * T21;
-    const four s6 = s4 * (c2m3 * v16 - s2m3 * T31) + v12 * v15;
+    const four v16 = c1 * T22 + s1 * T12;
+    const four v17 = c1 * T12 - s1 * T22;
+    const four v18 = c1 * T21 + s1 * T11;
+    const four v19 = c1 * T11 - s1 * T21;
+    const four s6 = Y4 * (c2m3 * v19 - s2m3 * T31) - v18 * -X4;
 
     /* joint values */
-    const four v17 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v17 - pick_four(half_turn < v17, all_four(m1), all_four(0.0));
-    const four v18 = atan2_four(s3, c3) - offset3;
-    const four q3_p = v18 + pick_four(v18 <= -half_turn, all_four(m1), all_four(0.0));
-    const four v19 = atan2_four(s4, -v12);
-    const four v20 = v19 - offset4;
-    const four v21 = v19 - copysign_four(all_four(half_turn), s4) * h1 - offset4;
-    const four q4_p = v20 + pick_four(v20 <= -half_turn, all_four(m1), all_four(0.0));
-    const four q4_m = v21 + pick_four(v21 <= -half_turn, all_four(m1), all_four(0.0));
-    const four v22 = atan2_four(-w4, T33 * c2m3 + s2m3 * v10);
-    const four v23 = v22 - offset5;
-    const four v24 = offset5 + v22;
-    const four q5_p = v23 + pick_four(v23 <= -half_turn, all_four(m1), all_four(0.0));
-    const four q5_m = pick_four(-v24 <= -half_turn, all_four(m1), all_four(0.0)) - v24;
-    const four v25 = atan2_four(s6, -(v12 * v13 + s4 * (c2m3 * v14 - s2m3 * T32)));
-    const four v26 = v25 - offset6;
-    const four v27 = v25 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v26 + pick_four(v26 <= -half_turn, all_four(m1), all_four(0.0));
-    const four q6_m = v27 + pick_four(v27 <= -half_turn, all_four(m1), all_four(0.0));
-    const four_mask v28 = (q1_ < low1) | (high1 < q1_);
-    const four q1_p = q1_ + (w3 - w3);
-    const four_mask v29 = ((q3_p < low3) | (high3 < q3_p)) | (v28 | ((q2_p < low2) | (high2 <
-        q2_p)));
-    const four_mask outside_p = v29 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v29 | ((q5_m < low5) | (high5 < q5_m));
+    const four v22 = copysign_four(all_four(half_turn), Y4) * h1;
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v30 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const four_mask v31 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v30;
+    const four_mask doubt = ((v12 <= m1) | (v15 <= m2)) | v31;
+
+    const four angle1_ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(Y4, -X4);
+    const four angle1____ = atan2_four(-sqrt_four(v15), T33 * c2m3 + s2m3 * v13);
+    const four angle1_____ = atan2_four(s6, v16 * -X4 - Y4 * (c2m3 * v17 - s2m3 * T32));
+    const four packed5 = atan2_four(__builtin_shufflevector(v6, w3, 0, 5, 2, 7),
+        __builtin_shufflevector(v4, K3, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four v20 = angle1_ - offset2;
+    const four q2_p = v20 - pick_four(half_turn < v20, all_four(m3), all_four(0.0));
+    const four v21 = e2 * angle1__ - turn1 - offset3;
+    const four q3_p = v21 + pick_four(v21 <= -half_turn, all_four(m3), all_four(0.0));
+    const four v23 = angle1___ - offset4;
+    const four v24 = angle1___ - v22 - offset4;
+    const four q4_p = v23 + pick_four(v23 <= -half_turn, all_four(m3), all_four(0.0));
+    const four q4_m = v24 + pick_four(v24 <= -half_turn, all_four(m3), all_four(0.0));
+    const four v25 = angle1____ - offset5;
+    const four v26 = offset5 + angle1____;
+    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m3), all_four(0.0));
+    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m3), all_four(0.0)) - v26;
+    const four v27 = angle1_____ - offset6;
+    const four v28 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v27 + pick_four(v27 <= -half_turn, all_four(m3), all_four(0.0));
+    const four q6_m = v28 + pick_four(v28 <= -half_turn, all_four(m3), all_four(0.0));
+    const four_mask v29 = (angle1 < low1) | (high1 < angle1);
+    const four q1_p = angle1 + (w3 - w3);
+    const four_mask v30 = ((q3_p < low3) | (high3 < q3_p)) | (v29 | ((q2_p < low2) | (high2 <
+        q2_p)));
+    const four_mask outside_p = v30 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v30 | ((q5_m < low5) | (high5 < q5_m));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -28,7 +28,9 @@ static const double k7 = 2.8284271247461903; /* sqrt2 * (d3 + d4) [m] */
 static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 8.099999999999999e-47; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -228,25 +230,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -280,25 +284,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -313,25 +319,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -379,124 +387,131 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v1 = k2 * T13;
     const wide v2 = k2 * T23;
     const wide v3 = T13 * w1;
-    const wide c1_p = inverse1 * (v2 - v3);
-    const wide c1_m = inverse1 * (v2 + v3);
-    const wide v4 = T23 * w1;
-    const wide v5 = inverse1 * (v1 + v4);
-    const wide v6 = inverse1 * (v1 - v4);
+    const wide v4 = v2 - v3;
+    const wide v5 = v2 + v3;
+    const wide c1_p = inverse1 * v4;
+    const wide c1_m = inverse1 * v5;
+    const wide v6 = T23 * w1;
+    const wide v7 = v1 + v6;
+    const wide v8 = v1 - v6;
+    const wide v9 = inverse1 * v7;
+    const wide v10 = inverse1 * v8;
 
     /* theta2 */
     const wide S2 = k2 * w1;
-    const wide v7 = k2 * T33;
-    const wide w2 = sqrt_wide(v7 * v7 + S2 * S2);
-    const wide v8 = 1.0 / w2;
-    const wide c2 = v7 * v8;
-    const wide v9 = S2 * v8;
-    const wide q2_ = atan2_wide(-v9, c2);
+    const wide v11 = k2 * T33;
+    const wide v12 = v11 * v11 + S2 * S2;
+    const wide v13 = 1.0 / sqrt_wide(v12);
+    const wide c2 = v11 * v13;
+    const wide v14 = S2 * v13;
+    const wide angle1 = atan2_wide(-S2, v11);
 
     /* theta34 */
-    const wide v10 = k2 * (c1_p * T21 + v5 * T11);
-    const wide v11 = k2 * (c1_m * T21 + v6 * T11);
-    const wide v12 = k2 * (c1_p * T22 + v5 * T12);
-    const wide v13 = k2 * (c1_m * T22 + v6 * T12);
-    const wide w34_p = sqrt_wide(v10 * v10 + v12 * v12);
-    const wide w34_m = sqrt_wide(v11 * v11 + v13 * v13);
-    const wide v14 = 1.0 / w34_p;
-    const wide v15 = 1.0 / w34_m;
-    const wide c34_p = v12 * v14;
-    const wide c34_m = v13 * v15;
-    const wide s34_p = v10 * v14;
-    const wide s34_m = v11 * v15;
+    const wide v15 = k2 * (c1_p * T21 + v9 * T11);
+    const wide v16 = k2 * (c1_m * T21 + v10 * T11);
+    const wide v17 = k2 * (c1_p * T22 + v9 * T12);
+    const wide v18 = k2 * (c1_m * T22 + v10 * T12);
+    const wide v19 = v15 * v15 + v17 * v17;
+    const wide v20 = v16 * v16 + v18 * v18;
+    const wide v21 = 1.0 / sqrt_wide(v19);
+    const wide v22 = 1.0 / sqrt_wide(v20);
+    const wide c34_p = v17 * v21;
+    const wide c34_m = v18 * v22;
+    const wide s34_p = v15 * v21;
+    const wide s34_m = v16 * v22;
 
     /* theta3 */
-    const wide v16 = 2.0 * T24;
-    const wide v17 = 2.0 * T14;
-    const wide v18 = a3 * (k1 * (k7 - (v5 * v17 + c1_p * v16)));
-    const wide v19 = a3 * (k1 * (k7 - (v6 * v17 + c1_m * v16)));
-    const wide v20 = v9 * T34;
-    const wide C3_p = k2 * (v20 + c2 * (c1_p * T14 - v5 * T24));
-    const wide C3_m = k2 * (c2 * (c1_m * T14 - v6 * T24) - v20);
-    const double v21 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide w3_p = sqrt_wide(v18 * v18 + C3_p * C3_p);
-    const wide w3_m = sqrt_wide(v19 * v19 + C3_m * C3_m);
-    const wide factor3_p = v21 / w3_p;
-    const wide factor3_m = v21 / w3_m;
+    const wide v23 = 2.0 * T24;
+    const wide v24 = 2.0 * T14;
+    const wide v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)));
+    const wide v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)));
+    const wide v27 = v14 * T34;
+    const wide C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24));
+    const wide C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27);
+    const double v28 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const wide v29 = v25 * v25 + C3_p * C3_p;
+    const wide v30 = v26 * v26 + C3_m * C3_m;
+    const wide factor3_p = v28 / sqrt_wide(v29);
+    const wide factor3_m = v28 / sqrt_wide(v30);
     const wide c3_p = C3_p * factor3_p;
     const wide c3_m = C3_m * factor3_m;
-    const wide v22 = v18 * factor3_p;
-    const wide v23 = v19 * factor3_m;
-    const wide q3__p = atan2_wide(-v22, c3_p);
-    const wide q3__m = atan2_wide(-v23, c3_m);
+    const wide v31 = v25 * factor3_p;
+    const wide v32 = v26 * factor3_m;
+    const wide angle1_ = atan2_wide(-v31, c3_p);
+    const wide angle1__ = atan2_wide(-v32, c3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v24 = c1_p * c2;
-    const wide v25 = c1_m * c2;
-    const wide v26 = 2.0 * v24;
-    const wide v27 = 2.0 * v25;
-    const wide v28 = c1_p * v9;
-    const wide v29 = c1_m * v9;
-    const wide v30 = sqrt2 * (v5 + v28);
-    const wide v31 = sqrt2 * (v6 - v29);
-    const wide v32 = k6 * c1_p;
-    const wide v33 = k6 * c1_m;
-    const wide v34 = k6 * v5;
-    const wide v35 = k6 * v6;
-    const wide v36 = v5 * c2;
-    const wide v37 = v6 * c2;
-    const wide v38 = 2.0 * v36;
-    const wide v39 = 2.0 * v37;
-    const wide v40 = v5 * v9;
-    const wide v41 = v6 * v9;
-    const wide v42 = sqrt2 * (c1_p - v40);
-    const wide v43 = sqrt2 * (c1_m + v41);
-    const wide v44 = v9 * 2.0;
-    const wide v45 = sqrt2 * c2;
-    const wide v46 = sqrt2 * (k6 * c2);
-    const wide v47 = 2.0 * (a3 * v9);
-    const wide v48 = a3 * v45;
-    const wide_mask v49 = abs_wide(T33 - k1 * v45) <= pose_slack;
-    const wide v50 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (v46 + (v22 * v48 + c3_p * v47))) <=
-        pose_slack1) & (v49 & ((abs_wide(T32 + k1 * (c34_p * v45 + s34_p * v44)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_p * v45 - c34_p * v44)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v32 + v9 * v34) - (c3_p * (2.0 * (a3 * v36)) + v22 * (a3 * v42)))) <= pose_slack1)
-        & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v40))) <= pose_slack) & ((abs_wide(T22 - k1 *
-        (c34_p * v42 + s34_p * v38)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v42 - c34_p *
-        v38)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v24)) - v22 * (a3 * v30) +
-        sqrt2 * (v34 - v9 * v32))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v5 - v28))) <=
-        pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v26 + s34_p * v30)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_p * v26 - c34_p * v30)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(-1.0)));
-    const wide v51 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (v46 + (v23 * v48 - c3_m * v47))) <=
-        pose_slack1) & (v49 & ((abs_wide(T32 + k1 * (c34_m * v45 - s34_m * v44)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_m * v45 + c34_m * v44)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v33 - v9 * v35) - (c3_m * (2.0 * (a3 * v37)) + v23 * (a3 * v43)))) <= pose_slack1)
-        & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v41))) <= pose_slack) & ((abs_wide(T22 - k1 *
-        (c34_m * v43 + s34_m * v39)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v43 - c34_m *
-        v39)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v25)) - v23 * (a3 * v31) +
-        sqrt2 * (v35 + v9 * v33))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v6 + v29))) <=
-        pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v27 + s34_m * v31)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_m * v27 - c34_m * v31)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(-1.0)));
+    const wide v33 = c1_p * c2;
+    const wide v34 = c1_m * c2;
+    const wide v35 = 2.0 * v33;
+    const wide v36 = 2.0 * v34;
+    const wide v37 = c1_p * v14;
+    const wide v38 = c1_m * v14;
+    const wide v39 = sqrt2 * (v9 + v37);
+    const wide v40 = sqrt2 * (v10 - v38);
+    const wide v41 = k6 * c1_p;
+    const wide v42 = k6 * c1_m;
+    const wide v43 = k6 * v9;
+    const wide v44 = k6 * v10;
+    const wide v45 = v9 * c2;
+    const wide v46 = v10 * c2;
+    const wide v47 = 2.0 * v45;
+    const wide v48 = 2.0 * v46;
+    const wide v49 = v9 * v14;
+    const wide v50 = v10 * v14;
+    const wide v51 = sqrt2 * (c1_p - v49);
+    const wide v52 = sqrt2 * (c1_m + v50);
+    const wide v53 = v14 * 2.0;
+    const wide v54 = sqrt2 * c2;
+    const wide v55 = sqrt2 * (k6 * c2);
+    const wide v56 = 2.0 * (a3 * v14);
+    const wide v57 = a3 * v54;
+    const wide_mask v58 = abs_wide(T33 - k1 * v54) <= pose_slack;
+    const double v59 = sqrt(-1.0);
+    const wide v60 = pick_wide((abs_wide(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <=
+        pose_slack1) & (v58 & ((abs_wide(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_p * v54 - c34_p * v53)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v41 + v14 * v43) - (c3_p * (2.0 * (a3 * v45)) + v31 * (a3 * v51)))) <=
+        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v49))) <= pose_slack) & ((abs_wide(T22
+        - k1 * (c34_p * v51 + s34_p * v47)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v51 -
+        c34_p * v47)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v33)) - v31 * (a3
+        * v39) + sqrt2 * (v43 - v14 * v41))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v9 -
+        v37))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v35 + s34_p * v39)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v59));
+    const wide v61 = pick_wide((abs_wide(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <=
+        pose_slack1) & (v58 & ((abs_wide(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_m * v54 + c34_m * v53)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v42 - v14 * v44) - (c3_m * (2.0 * (a3 * v46)) + v32 * (a3 * v52)))) <=
+        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v50))) <= pose_slack) & ((abs_wide(T22
+        - k1 * (c34_m * v52 + s34_m * v48)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v52 -
+        c34_m * v48)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v34)) - v32 * (a3
+        * v40) + sqrt2 * (v44 + v14 * v42))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v10 +
+        v38))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v36 + s34_m * v40)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v59));
 
     /* joint values */
-    const wide v52 = atan2_wide(s34_p, c34_p) - q3__p;
-    const wide v53 = atan2_wide(s34_m, c34_m) - q3__m;
-    const wide_mask free3__p = (w34_p <= free_limit_squared) | (w3_p <= free_limit_squared2);
-    const wide_mask free3__m = (w34_m <= free_limit_squared) | (w3_m <= free_limit_squared2);
-    const wide v54 = v50 - v50;
-    const wide v55 = v51 - v51;
-    const wide q1_p = v54 + atan2_wide(-v5, c1_p);
-    const wide q1_m = v55 + atan2_wide(-v6, c1_m);
-    const wide q2_p = q2_ + v54;
-    const wide q2_m = v55 - q2_;
-    const wide q3_p = q3__p + v54;
-    const wide q3_m = q3__m + v55;
-    const wide q4_p = v54 + (v52 - pick_wide(half_turn < v52, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v52 <= -half_turn, all_wide(m1), all_wide(0.0)));
-    const wide q4_m = v55 + (v53 - pick_wide(half_turn < v53, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v53 <= -half_turn, all_wide(m1), all_wide(0.0)));
-    const wide_mask doubt = (free3__m | free3__m) | (((w2 <= free_limit_squared) | (free1 | ((-k4 <=
-        D1) & (free1 | ((k5 < D1) == 0))))) | (free3__p | free3__p));
+    const wide angle1___ = atan2_wide(v15, v17);
+    const wide v62 = angle1___ - angle1_;
+    const wide angle1____ = atan2_wide(v16, v18);
+    const wide v63 = angle1____ - angle1__;
+    const wide_mask free3__p = (v19 <= m1) | (v29 <= m2);
+    const wide_mask free3__m = (v20 <= m1) | (v30 <= m2);
+    const wide angle1_____ = atan2_wide(-v7, v4);
+    const wide q1_p = v60 + angle1_____;
+    const wide angle1______ = atan2_wide(-v8, v5);
+    const wide q1_m = v61 + angle1______;
+    const wide q2_p = angle1 + v60;
+    const wide q2_m = v61 - angle1;
+    const wide q3_p = angle1_ + v60;
+    const wide q3_m = angle1__ + v61;
+    const wide q4_p = v60 + (v62 - pick_wide(half_turn < v62, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v62 <= -half_turn, all_wide(m3), all_wide(0.0)));
+    const wide q4_m = v61 + (v63 - pick_wide(half_turn < v63, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v63 <= -half_turn, all_wide(m3), all_wide(0.0)));
+    const wide_mask doubt = (free3__m | free3__m) | (((v12 <= m1) | (free1 | ((-k4 <= D1) & (free1 |
+        ((k5 < D1) == 0))))) | (free3__p | free3__p));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -594,81 +609,89 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v1 = k2 * T13;
     const double v2 = k2 * T23;
     const double v3 = T13 * w1;
-    const four c1 = inverse1 * (v2 - e1 * v3);
-    const double v4 = T23 * w1;
-    const four v5 = inverse1 * (v1 + e1 * v4);
+    const four v4 = v2 - e1 * v3;
+    const four c1 = inverse1 * v4;
+    const double v5 = T23 * w1;
+    const four v6 = v1 + e1 * v5;
+    const four v7 = inverse1 * v6;
 
     /* theta2 */
     const double S2 = k2 * w1;
-    const double v6 = k2 * T33;
-    const double w2 = sqrt(v6 * v6 + S2 * S2);
-    const double v7 = 1.0 / w2;
-    const double c2 = v6 * v7;
-    const double v8 = S2 * v7;
-    const four q2_ = atan2_four(all_four(-v8), all_four(c2));
+    const double v8 = k2 * T33;
+    const double v9 = v8 * v8 + S2 * S2;
+    const double v10 = 1.0 / sqrt(v9);
+    const double c2 = v8 * v10;
+    const double v11 = S2 * v10;
 
     /* theta34 */
-    const four v9 = k2 * (c1 * T21 + v5 * T11);
-    const four v10 = k2 * (c1 * T22 + v5 * T12);
-    const four w34 = sqrt_four(v9 * v9 + v10 * v10);
-    const four v11 = 1.0 / w34;
-    const four c34 = v10 * v11;
-    const four s34 = v9 * v11;
+    const four v12 = k2 * (c1 * T21 + v7 * T11);
+    const four v13 = k2 * (c1 * T22 + v7 * T12);
+    const four v14 = v12 * v12 + v13 * v13;
+    const four v15 = 1.0 / sqrt_four(v14);
+    const four c34 = v13 * v15;
+    const four s34 = v12 * v15;
 
     /* theta3 */
-    const double v12 = 2.0 * T24;
-    const double v13 = 2.0 * T14;
-    const four v14 = a3 * (k1 * (k7 - (v5 * v13 + c1 * v12)));
-    const double v15 = v8 * T34;
-    const four C3 = k2 * (c2 * (c1 * T14 - v5 * T24) + e1 * v15);
-    const double v16 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const four w3 = sqrt_four(v14 * v14 + C3 * C3);
-    const four factor3 = v16 / w3;
+    const double v16 = 2.0 * T24;
+    const double v17 = 2.0 * T14;
+    const four v18 = a3 * (k1 * (k7 - (v7 * v17 + c1 * v16)));
+    const double v19 = v11 * T34;
+    const four C3 = k2 * (c2 * (c1 * T14 - v7 * T24) + e1 * v19);
+    const double v20 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const four v21 = v18 * v18 + C3 * C3;
+    const four factor3 = v20 / sqrt_four(v21);
     const four c3 = C3 * factor3;
-    const four v17 = v14 * factor3;
-    const four q3_ = atan2_four(-v17, c3);
+    const four v22 = v18 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v18 = c1 * c2;
-    const four v19 = 2.0 * v18;
-    const four v20 = e1 * (c1 * v8);
-    const four v21 = sqrt2 * (v5 + v20);
-    const four v22 = k6 * c1;
-    const four v23 = k6 * v5;
-    const four v24 = v5 * c2;
-    const four v25 = 2.0 * v24;
-    const four v26 = e1 * (v5 * v8);
-    const four v27 = sqrt2 * (c1 - v26);
-    const double v28 = v8 * 2.0;
-    const double v29 = sqrt2 * c2;
-    const double v30 = sqrt2 * (k6 * c2);
-    const double v31 = 2.0 * (a3 * v8);
-    const double v32 = a3 * v29;
-    const int v33 = fabs(T33 - k1 * v29) <= pose_slack;
-    const four v34 = sqrt_four(pick_four((abs_four(T34 - k1 * (v30 + (v17 * v32 + e1 * (c3 * v31))))
-        <= pose_slack1) & ((all_four(v33 ? 1.0 : 0.0) > 0.0) & ((abs_four(T32 + k1 * (c34 * v29 + e1
-        * (s34 * v28))) <= pose_slack) & ((abs_four(T31 + k1 * (s34 * v29 - e1 * (c34 * v28))) <=
-        pose_slack) & ((abs_four(T24 - k1 * (sqrt2 * (v22 + e1 * (v8 * v23)) - (c3 * (2.0 * (a3 *
-        v24)) + v17 * (a3 * v27)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v26))) <=
-        pose_slack) & ((abs_four(T22 - k1 * (c34 * v27 + s34 * v25)) <= pose_slack) & ((abs_four(T21
-        - k1 * (s34 * v27 - c34 * v25)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 *
-        v18)) - v17 * (a3 * v21) + sqrt2 * (v23 - e1 * (v8 * v22)))) <= pose_slack1) &
-        ((abs_four(T13 - k1 * (sqrt2 * (v5 - v20))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 *
-        v19 + s34 * v21)) <= pose_slack) & (abs_four(T12 + k1 * (s34 * v19 - c34 * v21)) <=
-        pose_slack))))))))))), all_four(0.0), all_four(-1.0)));
+    const four v23 = c1 * c2;
+    const four v24 = 2.0 * v23;
+    const four v25 = e1 * (c1 * v11);
+    const four v26 = sqrt2 * (v7 + v25);
+    const four v27 = k6 * c1;
+    const four v28 = k6 * v7;
+    const four v29 = v7 * c2;
+    const four v30 = 2.0 * v29;
+    const four v31 = e1 * (v7 * v11);
+    const four v32 = sqrt2 * (c1 - v31);
+    const double v33 = v11 * 2.0;
+    const double v34 = sqrt2 * c2;
+    const double v35 = sqrt2 * (k6 * c2);
+    const double v36 = 2.0 * (a3 * v11);
+    const double v37 = a3 * v34;
+    const int v38 = fabs(T33 - k1 * v34) <= pose_slack;
+    const double v39 = sqrt(-1.0);
+    const four v40 = pick_four((abs_four(T34 - k1 * (v35 + (v22 * v37 + e1 * (c3 * v36)))) <=
+        pose_slack1) & ((all_four(v38 ? 1.0 : 0.0) > 0.0) & ((abs_four(T32 + k1 * (c34 * v34 + e1 *
+        (s34 * v33))) <= pose_slack) & ((abs_four(T31 + k1 * (s34 * v34 - e1 * (c34 * v33))) <=
+        pose_slack) & ((abs_four(T24 - k1 * (sqrt2 * (v27 + e1 * (v11 * v28)) - (c3 * (2.0 * (a3 *
+        v29)) + v22 * (a3 * v32)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v31))) <=
+        pose_slack) & ((abs_four(T22 - k1 * (c34 * v32 + s34 * v30)) <= pose_slack) & ((abs_four(T21
+        - k1 * (s34 * v32 - c34 * v30)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 *
+        v23)) - v22 * (a3 * v26) + sqrt2 * (v28 - e1 * (v11 * v27)))) <= pose_slack1) &
+        ((abs_four(T13 - k1 * (sqrt2 * (v7 - v25))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 *
+        v24 + s34 * v26)) <= pose_slack) & (abs_four(T12 + k1 * (s34 * v24 - c34 * v26)) <=
+        pose_slack))))))))))), all_four(0.0), all_four(v39));
 
     /* joint values */
-    const four v35 = atan2_four(s34, c34) - q3_;
-    const four_mask free3_ = (w34 <= free_limit_squared) | (w3 <= free_limit_squared2);
-    const four v36 = v34 - v34;
-    const four q1 = v36 + atan2_four(-v5, c1);
-    const four q2 = v36 + e1 * q2_;
-    const four q3 = q3_ + v36;
-    const four q4 = v36 + (v35 - pick_four(half_turn < v35, all_four(m1), all_four(0.0)) +
-        pick_four(v35 <= -half_turn, all_four(m1), all_four(0.0)));
-    const int doubt1 = (w2 <= free_limit_squared) | (free1 | ((-k4 <= D1) & (free1 | ((k5 < D1) ==
-        0))));
+    const four_mask free3_ = (v14 <= m1) | (v21 <= m2);
+    const int doubt1 = (v9 <= m1) | (free1 | ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free3_ | free3_);
+
+    const four packed1 = atan2_four(__builtin_shufflevector(-v22, v12, 0, 1, 6, 7),
+        __builtin_shufflevector(c3, v13, 0, 1, 6, 7));
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
+    const four packed2 = atan2_four(__builtin_shufflevector(-v6, all_four(-S2), 0, 1, 6, 3),
+        __builtin_shufflevector(v4, all_four(v8), 0, 1, 6, 3));
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four v41 = angle1__ - angle1_;
+    const four q1 = v40 + angle1___;
+    const four q2 = v40 + e1 * angle1;
+    const four q3 = angle1_ + v40;
+    const four q4 = v40 + (v41 - pick_four(half_turn < v41, all_four(m3), all_four(0.0)) +
+        pick_four(v41 <= -half_turn, all_four(m3), all_four(0.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

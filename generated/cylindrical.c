@@ -13,6 +13,7 @@ static const double d1 = 0.3; /* joint offset 1 [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
 
 const char *const cylindrical_branches[1] = {
     "only",
@@ -158,25 +159,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -210,25 +213,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -243,25 +248,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -304,26 +311,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide r2 = T34 - d1;
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T21 * T21 + T11 * T11);
-    const wide_mask doubt = w1 <= free_limit_squared;
-    const wide v1 = 1.0 / w1;
-    const wide c1 = T11 * v1;
-    const wide s1 = T21 * v1;
+    const wide v1 = T21 * T21 + T11 * T11;
+    const wide_mask doubt = v1 <= m1;
+    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide c1 = T11 * v2;
+    const wide s1 = T21 * v2;
 
     /* r3 */
     const wide r3 = c1 * T24 - s1 * T14;
 
     /* is the pose one that the arm can take? */
-    const wide v2 = sqrt_wide(pick_wide((abs_wide(T34 - (d1 + r2)) <= pose_slack1) & ((abs_wide(T33)
-        <= pose_slack) & ((abs_wide(1.0 + T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
+    const wide v3 = pick_wide((abs_wide(T34 - (d1 + r2)) <= pose_slack1) & ((abs_wide(T33) <=
+        pose_slack) & ((abs_wide(1.0 + T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
         ((abs_wide(T24 - c1 * r3) <= pose_slack1) & ((abs_wide(T23 - c1) <= pose_slack) &
         ((abs_wide(T22) <= pose_slack) & ((abs_wide(T21 - s1) <= pose_slack) & ((abs_wide(T14 + s1 *
         r3) <= pose_slack1) & ((abs_wide(s1 + T13) <= pose_slack) & ((abs_wide(T11 - c1) <=
-        pose_slack) & (abs_wide(T12) <= pose_slack))))))))))), all_wide(0.0), all_wide(-1.0)));
+        pose_slack) & (abs_wide(T12) <= pose_slack))))))))))), all_wide(0.0), all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v3 = v2 - v2;
-    const wide q1 = v3 + atan2_wide(s1, c1);
+    const wide angle1 = atan2_wide(T21, T11);
+    const wide q1 = v3 + angle1;
     const wide q2 = r2 + v3;
     const wide q3 = r3 + v3;
 
@@ -411,27 +418,29 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double r2 = T34 - d1;
 
     /* theta1 */
-    const double w1 = sqrt(T21 * T21 + T11 * T11);
-    const int doubt = w1 <= free_limit_squared;
-    const double v1 = 1.0 / w1;
-    const double c1 = T11 * v1;
-    const double s1 = T21 * v1;
+    const double v1 = T21 * T21 + T11 * T11;
+    const int doubt = v1 <= m1;
+    const double v2 = 1.0 / sqrt(v1);
+    const double c1 = T11 * v2;
+    const double s1 = T21 * v2;
 
     /* r3 */
     const double r3 = c1 * T24 - s1 * T14;
 
     /* is the pose one that the arm can take? */
-    const double v2 = sqrt(((fabs(T34 - (d1 + r2)) <= pose_slack1) & ((fabs(T33) <= pose_slack) &
+    const double v3 = ((fabs(T34 - (d1 + r2)) <= pose_slack1) & ((fabs(T33) <= pose_slack) &
         ((fabs(1.0 + T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T24 - c1 * r3) <=
         pose_slack1) & ((fabs(T23 - c1) <= pose_slack) & ((fabs(T22) <= pose_slack) & ((fabs(T21 -
         s1) <= pose_slack) & ((fabs(T14 + s1 * r3) <= pose_slack1) & ((fabs(s1 + T13) <= pose_slack)
-        & ((fabs(T11 - c1) <= pose_slack) & (fabs(T12) <= pose_slack)))))))))))) ? 0.0 : (-1.0));
+        & ((fabs(T11 - c1) <= pose_slack) & (fabs(T12) <= pose_slack)))))))))))) ? 0.0 : sqrt(-1.0);
 
     /* joint values */
-    const double v3 = v2 - v2;
-    const four q1 = v3 + atan2_four(all_four(s1), all_four(c1));
     const double q2 = r2 + v3;
     const double q3 = r3 + v3;
+
+    const four packed1 = atan2_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four q1 = v3 + angle1;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

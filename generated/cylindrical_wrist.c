@@ -14,7 +14,9 @@ static const double d6 = 0.1; /* joint offset 6 [m] */
 static const double free_limit1 = 4e-13; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.6e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const cylindrical_wrist_branches[4] = {
     "forward-noflip", "forward-flip", "backward-noflip", "backward-flip",
@@ -206,25 +208,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -258,25 +262,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -291,25 +297,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -354,46 +362,48 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* theta1, r3 */
     const wide wy = T24 - d6 * T23;
     const wide v1 = d6 * T13 - T14;
-    const wide q3_pp = sqrt_wide(v1 * v1 + wy * wy);
+    const wide v2 = v1 * v1 + wy * wy;
+    const wide q3_pp = sqrt_wide(v2);
     const wide factor1 = 1.0 / q3_pp;
     const wide c1 = wy * factor1;
     const wide s1 = v1 * factor1;
-    const wide q1_pp = atan2_wide(s1, c1);
-    const wide q1_mp = q1_pp - copysign_wide(all_wide(half_turn), s1) * h1;
+    const wide angle1 = atan2_wide(v1, wy);
+    const wide q1_mp = angle1 - copysign_wide(all_wide(half_turn), v1) * h1;
 
     /* theta4 */
     const wide X4 = T13 * c1 + T23 * s1;
-    const wide w4 = sqrt_wide(T33 * T33 + X4 * X4);
+    const wide v3 = T33 * T33 + X4 * X4;
+    const wide w4 = sqrt_wide(v3);
     const wide factor4 = 1.0 / w4;
-    const wide v2 = X4 * factor4;
+    const wide v4 = X4 * factor4;
     const wide s4 = T33 * factor4;
-    const wide q4_pp = atan2_wide(s4, -v2);
-    const wide q4_pm = q4_pp - h1 * copysign_wide(all_wide(half_turn), s4);
+    const wide angle1_ = atan2_wide(T33, -X4);
+    const wide q4_pm = angle1_ - h1 * copysign_wide(all_wide(half_turn), T33);
 
     /* theta5 */
-    const wide q5_pp = atan2_wide(-w4, T23 * c1 - T13 * s1);
-    const wide q5_mp = h1 * copysign_wide(all_wide(half_turn), -w4) - q5_pp;
+    const wide angle1__ = atan2_wide(-w4, T23 * c1 - T13 * s1);
+    const wide q5_mp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle1__;
 
     /* theta6 */
-    const wide v3 = v2 * T31 - s4 * (c1 * T11 + s1 * T21);
-    const wide q6_pp = atan2_wide(v3, v2 * T32 - s4 * (c1 * T12 + s1 * T22));
-    const wide q6_pm = q6_pp - h1 * copysign_wide(all_wide(half_turn), v3);
+    const wide v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21);
+    const wide angle1___ = atan2_wide(v5, v4 * T32 - s4 * (c1 * T12 + s1 * T22));
+    const wide q6_pm = angle1___ - h1 * copysign_wide(all_wide(half_turn), v5);
 
     /* joint values */
-    const wide_mask doubt = (q3_pp <= free_limit1) | (w4 <= free_limit);
+    const wide_mask doubt = (v2 <= m1) | (v3 <= m3);
 
-    q[0] = q1_pp;
+    q[0] = angle1;
     q[1] = q2_pp;
     q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
-    q[5] = q6_pp;
+    q[3] = angle1_;
+    q[4] = angle1__;
+    q[5] = angle1___;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_pp;
+    q[6] = angle1;
     q[7] = q2_pp;
     q[8] = q3_pp;
     q[9] = q4_pm;
-    q[10] = -q5_pp;
+    q[10] = -angle1__;
     q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_mp;
@@ -406,9 +416,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     q[18] = q1_mp;
     q[19] = q2_pp;
     q[20] = -q3_pp;
-    q[21] = -q4_pp;
+    q[21] = -angle1_;
     q[22] = -q5_mp;
-    q[23] = q6_pp;
+    q[23] = angle1___;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -478,7 +488,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -495,41 +505,46 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* theta1, r3 */
     const double wy = T24 - d6 * T23;
     const double v1 = d6 * T13 - T14;
-    const double w3 = sqrt(v1 * v1 + wy * wy);
+    const double v2 = v1 * v1 + wy * wy;
+    const double w3 = sqrt(v2);
     const double factor1 = 1.0 / w3;
     const double c1 = wy * factor1;
     const double s1 = v1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(c1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, v1);
     const four v4 = e1 - 1.0;
-    const four q1 = v2 + v3 * (m1 * v4);
 
     /* theta4 */
     const double X4 = T13 * c1 + T23 * s1;
-    const double w4 = sqrt(T33 * T33 + X4 * X4);
+    const double v5 = T33 * T33 + X4 * X4;
+    const double w4 = sqrt(v5);
     const double factor4 = 1.0 / w4;
-    const double v5 = X4 * factor4;
+    const double v6 = X4 * factor4;
     const double s4 = T33 * factor4;
-    const four v6 = atan2_four(all_four(s4), all_four(-v5));
-    const double v7 = copysign(half_turn, s4);
-    const four v8 = e1 * v6;
-    const four q4 = v8 + v7 * (m1 * (e2 - e1));
+    const double v7 = copysign(half_turn, T33);
 
     /* theta5 */
-    const four v9 = atan2_four(all_four(-w4), all_four(T23 * c1 - T13 * s1));
-    const double v10 = copysign(half_turn, -w4);
-    const four q5_ = e1 * v9 + v10 * (m1 * -v4);
+    const double v9 = copysign(half_turn, -w4);
 
     /* theta6 */
-    const double v11 = v5 * T31 - s4 * (c1 * T11 + s1 * T21);
-    const four v12 = atan2_four(all_four(v11), all_four(v5 * T32 - s4 * (c1 * T12 + s1 * T22)));
-    const double v13 = copysign(half_turn, v11);
-    const four q6 = v12 + v13 * (m1 * (e1 * e2 - 1.0));
+    const double v10 = v6 * T31 - s4 * (c1 * T11 + s1 * T21);
+    const double v11 = copysign(half_turn, v10);
 
     /* joint values */
     const four q3 = e1 * w3;
+    const int doubt = (v2 <= m1) | (v5 <= m3);
+
+    const four packed1 = atan2_four((four){ v1, T33, -w4, v10 }, (four){ wy, -X4, T23 * c1 - T13 *
+        s1, v6 * T32 - s4 * (c1 * T12 + s1 * T22) });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q1 = angle1 + v3 * (m2 * v4);
+    const four v8 = e1 * angle1_;
+    const four q4 = v8 + v7 * (m2 * (e2 - e1));
+    const four q5_ = e1 * angle1__ + v9 * (m2 * -v4);
+    const four q6 = angle1___ + v11 * (m2 * (e1 * e2 - 1.0));
     const four q5 = e2 * q5_;
-    const int doubt = (w3 <= free_limit1) | (w4 <= free_limit);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -38,8 +38,10 @@ static const double k4 = 0.6931600000000001; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.6968810000000001; /* a2^2 + d4^2 [m^2] */
 static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 4.8892683465610004e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -289,25 +291,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -341,25 +345,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -374,25 +380,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -438,41 +446,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
+    const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = d2 * X1;
-    const wide v2 = d2 * wy;
-    const wide v3 = X1 * w1;
-    const wide v4 = inverse1 * (v2 + v3);
-    const wide v5 = inverse1 * (v2 - v3);
-    const wide v6 = wy * w1;
-    const wide s1_p = inverse1 * (v6 - v1);
-    const wide v7 = inverse1 * (v1 + v6);
+    const wide v2 = d2 * X1;
+    const wide v3 = d2 * wy;
+    const wide v4 = X1 * w1;
+    const wide v5 = v3 + v4;
+    const wide v6 = v3 - v4;
+    const wide v7 = inverse1 * v5;
+    const wide v8 = inverse1 * v6;
+    const wide v9 = wy * w1;
+    const wide v10 = v9 - v2;
+    const wide v11 = v2 + v9;
+    const wide s1_p = inverse1 * v10;
+    const wide v12 = inverse1 * v11;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide s3 = k6 * (k4 * (N3 - k5));
-    const wide v8 = k6 * (k4 * w3);
+    const wide v13 = w3 - w3;
+    const wide v14 = k4 * (N3 - k5);
+    const wide s3 = k6 * v14;
+    const wide v15 = k4 * w3;
+    const wide v16 = k6 * v15;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3;
-    const wide Y1_2 = d4 * v8;
-    const wide v9 = Z1_3 * X1_2;
-    const wide v10 = w1 * Y1_2;
-    const wide S2_pp = v9 - v10;
-    const wide S2_pm = v9 + v10;
-    const wide v11 = w1 * X1_2;
-    const wide v12 = Z1_3 * Y1_2;
-    const wide C2_pp = v11 + v12;
-    const wide C2_pm = v11 - v12;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide v13 = S2_pm * S2_pm;
-    const wide w2_pm = sqrt_wide(v13 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v13 + -C2_pm * -C2_pm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
+    const wide Y1_2 = d4 * v16;
+    const wide v17 = Z1_3 * X1_2;
+    const wide v18 = w1 * Y1_2;
+    const wide S2_pp = v17 - v18;
+    const wide S2_pm = v17 + v18;
+    const wide v19 = w1 * X1_2;
+    const wide v20 = Z1_3 * Y1_2;
+    const wide C2_pp = v19 + v20;
+    const wide C2_pm = v19 - v20;
+    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v22 = S2_pm * S2_pm;
+    const wide v23 = v22 + C2_pm * C2_pm;
+    const wide v24 = v22 + -C2_pm * -C2_pm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v21);
+    const wide factor2_pm = 1.0 / sqrt_wide(v23);
+    const wide factor2_mp = 1.0 / sqrt_wide(v24);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = -C2_pm * factor2_mp;
@@ -481,132 +497,126 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s2_mp = S2_pm * factor2_mp;
 
     /* theta4 */
-    const wide v14 = s3 * s2_pp + v8 * c2_pp;
-    const wide v15 = s3 * s2_pm - v8 * c2_pm;
-    const wide v16 = s3 * s2_mp + v8 * c2_mp;
-    const wide s23_pp = s3 * c2_pp - v8 * s2_pp;
-    const wide s23_pm = s3 * c2_pm + v8 * s2_pm;
-    const wide s23_mp = s3 * c2_mp - v8 * s2_mp;
-    const wide v17 = T23 * s1_p - T13 * v4;
-    const wide v18 = T23 * v7 + T13 * v5;
-    const wide X4_pp = v14 * v17 - T33 * s23_pp;
-    const wide X4_pm = v15 * v17 - T33 * s23_pm;
-    const wide v19 = v16 * v18 + T33 * s23_mp;
-    const wide v20 = v14 * v18 + T33 * -s23_pp;
-    const wide Y4_p = T13 * s1_p + T23 * v4;
-    const wide Y4_m = T23 * v5 - T13 * v7;
-    const wide v21 = Y4_p * Y4_p;
-    const wide v22 = Y4_m * Y4_m;
-    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v22 + v19 * v19);
-    const wide w4_mm = sqrt_wide(v22 + v20 * v20);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v23 = X4_pp * factor4_pp;
-    const wide v24 = X4_pm * factor4_pm;
-    const wide v25 = v19 * factor4_mp;
-    const wide v26 = v20 * factor4_mm;
-    const wide s4_pp = Y4_p * factor4_pp;
-    const wide s4_pm = Y4_p * factor4_pm;
-    const wide s4_mp = Y4_m * factor4_mp;
-    const wide s4_mm = Y4_m * factor4_mm;
+    const wide v25 = s3 * s2_pp + v16 * c2_pp;
+    const wide v26 = s3 * s2_pm - v16 * c2_pm;
+    const wide v27 = s3 * s2_mp + v16 * c2_mp;
+    const wide s23_pp = s3 * c2_pp - v16 * s2_pp;
+    const wide s23_pm = s3 * c2_pm + v16 * s2_pm;
+    const wide s23_mp = s3 * c2_mp - v16 * s2_mp;
+    const wide v28 = T23 * s1_p - T13 * v7;
+    const wide v29 = T23 * v12 + T13 * v8;
+    const wide X4_pp = v25 * v28 - T33 * s23_pp;
+    const wide X4_pm = v26 * v28 - T33 * s23_pm;
+    const wide v30 = v27 * v29 + T33 * s23_mp;
+    const wide v31 = v25 * v29 + T33 * -s23_pp;
+    const wide Y4_p = T13 * s1_p + T23 * v7;
+    const wide Y4_m = T23 * v8 - T13 * v12;
+    const wide v32 = Y4_p * Y4_p;
+    const wide v33 = Y4_m * Y4_m;
+    const wide v34 = v32 + X4_pp * X4_pp;
+    const wide v35 = v32 + X4_pm * X4_pm;
+    const wide v36 = v33 + v30 * v30;
+    const wide v37 = v33 + v31 * v31;
 
     /* theta6 */
-    const wide v27 = v4 * T22 + s1_p * T12;
-    const wide v28 = v5 * T22 - v7 * T12;
-    const wide v29 = s1_p * T22 - v4 * T12;
-    const wide v30 = v7 * T22 + v5 * T12;
-    const wide v31 = v4 * T21 + s1_p * T11;
-    const wide v32 = v5 * T21 - v7 * T11;
-    const wide v33 = s1_p * T21 - v4 * T11;
-    const wide v34 = v7 * T21 + v5 * T11;
-    const wide s6_pp = v23 * v31 + s4_pp * (s23_pp * T31 - v14 * v33);
-    const wide s6_pm = v24 * v31 + s4_pm * (s23_pm * T31 - v15 * v33);
-    const wide s6_mp = s4_mp * (s23_mp * T31 + v16 * v34) - v25 * v32;
-    const wide s6_mm = s4_mm * (-s23_pp * T31 + v14 * v34) - v26 * v32;
-    const wide q6_ppp = atan2_wide(s6_pp, v23 * v27 + s4_pp * (s23_pp * T32 - v14 * v29));
-    const wide q6_pmp = atan2_wide(s6_pm, v24 * v27 + s4_pm * (s23_pm * T32 - v15 * v29));
-    const wide q6_mpp = atan2_wide(s6_mp, s4_mp * (s23_mp * T32 + v16 * v30) - v25 * v28);
-    const wide q6_mmp = atan2_wide(s6_mm, s4_mm * (-s23_pp * T32 + v14 * v30) - v26 * v28);
-    const wide q6_ppm = q6_ppp - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = q6_pmp - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = q6_mpp - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = q6_mmp - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v38 = v7 * T22 + s1_p * T12;
+    const wide v39 = v8 * T22 - v12 * T12;
+    const wide v40 = s1_p * T22 - v7 * T12;
+    const wide v41 = v12 * T22 + v8 * T12;
+    const wide v42 = v7 * T21 + s1_p * T11;
+    const wide v43 = v8 * T21 - v12 * T11;
+    const wide v44 = s1_p * T21 - v7 * T11;
+    const wide v45 = v12 * T21 + v8 * T11;
+    const wide s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp;
+    const wide s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm;
+    const wide s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43;
+    const wide s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43;
+    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp);
+    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm);
+    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39);
+    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39);
+    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
+    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
+    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
+    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
 
     /* joint values */
-    const wide v35 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v36 = atan2_wide(s2_pm, c2_pm) - offset2;
-    const wide v37 = atan2_wide(s2_mp, c2_mp) - offset2;
-    const wide v38 = atan2_wide(s2_pp, -c2_pp) - offset2;
-    const wide q2_ppp = v35 + pick_wide(v35 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v39 = atan2_wide(s3, -v8);
-    const wide v40 = v39 - offset3;
-    const wide v41 = h1 * copysign_wide(all_wide(half_turn), s3) - v39 - offset3;
-    const wide q3_ppp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_pmp = v41 + pick_wide(v41 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v42 = atan2_wide(s4_pp, -v23);
-    const wide v43 = atan2_wide(s4_pm, -v24);
-    const wide v44 = atan2_wide(s4_mp, v25);
-    const wide v45 = atan2_wide(s4_mm, v26);
-    const wide v46 = v42 - offset4;
-    const wide v47 = v42 - h1 * copysign_wide(all_wide(half_turn), s4_pp) - offset4;
-    const wide v48 = v43 - offset4;
-    const wide v49 = v43 - h1 * copysign_wide(all_wide(half_turn), s4_pm) - offset4;
-    const wide v50 = v44 - offset4;
-    const wide v51 = v44 - h1 * copysign_wide(all_wide(half_turn), s4_mp) - offset4;
-    const wide v52 = v45 - offset4;
-    const wide v53 = v45 - h1 * copysign_wide(all_wide(half_turn), s4_mm) - offset4;
-    const wide q4_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_ppm = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmm = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpm = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmm = v53 + pick_wide(v53 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v54 = T33 * v14;
-    const wide v55 = atan2_wide(w4_pp, -(v54 + s23_pp * v17));
-    const wide v56 = atan2_wide(w4_pm, -(T33 * v15 + s23_pm * v17));
-    const wide v57 = atan2_wide(w4_mp, s23_mp * v18 - T33 * v16);
-    const wide v58 = atan2_wide(w4_mm, -s23_pp * v18 - v54);
-    const wide v59 = v55 - offset5;
-    const wide v60 = offset5 + v55;
-    const wide v61 = v56 - offset5;
-    const wide v62 = offset5 + v56;
-    const wide v63 = v57 - offset5;
-    const wide v64 = offset5 + v57;
-    const wide v65 = v58 - offset5;
-    const wide v66 = offset5 + v58;
-    const wide q5_ppp = v59 + pick_wide(v59 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v60 <= -half_turn, all_wide(m2), all_wide(0.0)) - v60;
-    const wide q5_pmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v62 <= -half_turn, all_wide(m2), all_wide(0.0)) - v62;
-    const wide q5_mpp = v63 + pick_wide(v63 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v64 <= -half_turn, all_wide(m2), all_wide(0.0)) - v64;
-    const wide q5_mmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v66 <= -half_turn, all_wide(m2), all_wide(0.0)) - v66;
-    const wide v67 = w3 - w3;
-    const wide q1_ppp = v67 + atan2_wide(s1_p, -v4);
-    const wide q1_mpp = v67 + atan2_wide(-v7, -v5);
-    const wide_mask v68 = w2_pp <= free_limit_squared2;
-    const wide_mask doubt = (v68 | (w4_mm <= free_limit)) | (((w2_mp <= free_limit_squared2) |
-        (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <= free_limit)) |
-        (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))))) | (v68 |
-        (w4_pp <= free_limit)))));
+    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
+    const wide v46 = angle1____ - offset2;
+    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
+    const wide v47 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(S2_pm, -C2_pm);
+    const wide v48 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(S2_pp, -C2_pp);
+    const wide v49 = angle1_______ - offset2;
+    const wide q2_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mpp = v48 + pick_wide(v48 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1________ = atan2_wide(v14, -v15);
+    const wide v50 = angle1________ - offset3;
+    const wide v51 = h1 * copysign_wide(all_wide(half_turn), v14) - angle1________ - offset3;
+    const wide angle1_________ = atan2_wide(Y4_p, -X4_pp);
+    const wide angle1__________ = atan2_wide(Y4_p, -X4_pm);
+    const wide angle1___________ = atan2_wide(Y4_m, v30);
+    const wide angle1____________ = atan2_wide(Y4_m, v31);
+    const wide v52 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
+    const wide v53 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
+    const wide v54 = angle1_________ - offset4;
+    const wide v55 = angle1_________ - v52 - offset4;
+    const wide v56 = angle1__________ - offset4;
+    const wide v57 = angle1__________ - v52 - offset4;
+    const wide v58 = angle1___________ - offset4;
+    const wide v59 = angle1___________ - v53 - offset4;
+    const wide v60 = angle1____________ - offset4;
+    const wide v61 = angle1____________ - v53 - offset4;
+    const wide q4_ppp = v54 + pick_wide(v54 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_ppm = v55 + pick_wide(v55 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmp = v56 + pick_wide(v56 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmm = v57 + pick_wide(v57 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpp = v58 + pick_wide(v58 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpm = v59 + pick_wide(v59 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmm = v61 + pick_wide(v61 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v62 = T33 * v25;
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v34), -(v62 + s23_pp * v28));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v35), -(T33 * v26 + s23_pm * v28));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v36), s23_mp * v29 - T33 * v27);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v37), -s23_pp * v29 - v62);
+    const wide v63 = angle1_____________ - offset5;
+    const wide v64 = offset5 + angle1_____________;
+    const wide v65 = angle1______________ - offset5;
+    const wide v66 = offset5 + angle1______________;
+    const wide v67 = angle1_______________ - offset5;
+    const wide v68 = offset5 + angle1_______________;
+    const wide v69 = angle1________________ - offset5;
+    const wide v70 = offset5 + angle1________________;
+    const wide q5_ppp = v63 + pick_wide(v63 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v64 <= -half_turn, all_wide(m4), all_wide(0.0)) - v64;
+    const wide q5_pmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v66 <= -half_turn, all_wide(m4), all_wide(0.0)) - v66;
+    const wide q5_mpp = v67 + pick_wide(v67 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v68 <= -half_turn, all_wide(m4), all_wide(0.0)) - v68;
+    const wide q5_mmp = v69 + pick_wide(v69 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v70 <= -half_turn, all_wide(m4), all_wide(0.0)) - v70;
+    const wide angle1_________________ = atan2_wide(v10, -v5);
+    const wide q1_ppp = v13 + angle1_________________;
+    const wide angle1__________________ = atan2_wide(-v11, -v6);
+    const wide q1_mpp = v13 + angle1__________________;
+    const wide q3_ppp = v1 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q3_pmp = v1 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide_mask v71 = v21 <= m1;
+    const wide_mask doubt = (v71 | (v37 <= m2)) | (((v24 <= m1) | (v36 <= m2)) | (((v23 <= m1) |
+        (v35 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))
+        | (v71 | (v34 <= m2)))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -620,7 +630,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1_;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -634,7 +644,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_ppp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1__;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -648,7 +658,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_pmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1___;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -725,7 +735,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -743,81 +753,88 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
+    const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v1 = d2 * X1;
-    const double v2 = d2 * wy;
-    const double v3 = X1 * w1;
-    const four v4 = inverse1 * (v2 + e1 * v3);
-    const double v5 = wy * w1;
-    const four s1 = inverse1 * (e1 * v5 - v1);
+    const double v2 = d2 * X1;
+    const double v3 = d2 * wy;
+    const double v4 = X1 * w1;
+    const four v5 = v3 + e1 * v4;
+    const four v6 = inverse1 * v5;
+    const double v7 = wy * w1;
+    const four v8 = e1 * v7 - v2;
+    const four s1 = inverse1 * v8;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double s3 = k6 * (k4 * (N3 - k5));
-    const double v6 = k6 * (k4 * w3);
+    const double v9 = w3 - w3;
+    const double v10 = k4 * (N3 - k5);
+    const double s3 = k6 * v10;
+    const double v11 = k4 * w3;
+    const double v12 = k6 * v11;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3;
-    const double Y1_2 = d4 * v6;
-    const double v7 = Z1_3 * X1_2;
-    const double v8 = w1 * Y1_2;
-    const four S2 = v7 - v8 * (e1 * e2);
-    const double v9 = w1 * X1_2;
-    const double v10 = Z1_3 * Y1_2;
-    const four v11 = e1 * v9;
-    const four v12 = e2 * v10;
-    const four C2 = v11 + v12;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const double Y1_2 = d4 * v12;
+    const double v13 = Z1_3 * X1_2;
+    const double v14 = w1 * Y1_2;
+    const four S2 = v13 - v14 * (e1 * e2);
+    const double v15 = w1 * X1_2;
+    const double v16 = Z1_3 * Y1_2;
+    const four v17 = e1 * v15;
+    const four v18 = e2 * v16;
+    const four C2 = v17 + v18;
+    const four v19 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v19);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v13 = s3 * s2 + e2 * (v6 * c2);
-    const four s23 = s3 * c2 - e2 * (v6 * s2);
-    const four v14 = T23 * s1 - T13 * v4;
-    const four X4 = v13 * v14 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v4;
-    const four v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v16 = X4 * factor4;
-    const four s4 = Y4 * factor4;
+    const four v20 = s3 * s2 + e2 * (v12 * c2);
+    const four s23 = s3 * c2 - e2 * (v12 * s2);
+    const four v21 = T23 * s1 - T13 * v6;
+    const four X4 = v20 * v21 - T33 * s23;
+    const four Y4 = T13 * s1 + T23 * v6;
+    const four v22 = Y4 * Y4;
+    const four v23 = v22 + X4 * X4;
 
     /* theta6 */
-    const four v17 = v4 * T22 + s1 * T12;
-    const four v18 = s1 * T22 - v4 * T12;
-    const four v19 = v4 * T21 + s1 * T11;
-    const four v20 = s1 * T21 - v4 * T11;
-    const four s6 = v16 * v19 + s4 * (s23 * T31 - v13 * v20);
-    const four q6_p = atan2_four(s6, v16 * v17 + s4 * (s23 * T32 - v13 * v18));
-    const four q6_m = q6_p - copysign_four(all_four(half_turn), s6) * h1;
+    const four v24 = v6 * T22 + s1 * T12;
+    const four v25 = s1 * T22 - v6 * T12;
+    const four v26 = v6 * T21 + s1 * T11;
+    const four v27 = s1 * T21 - v6 * T11;
+    const four s6 = Y4 * (s23 * T31 - v20 * v27) - v26 * -X4;
 
     /* joint values */
-    const four v21 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v21 + pick_four(v21 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v22 = atan2_four(all_four(s3), all_four(-v6));
-    const double v23 = copysign(half_turn, s3);
-    const four v24 = e2 * v22 + v23 * (m1 * (1.0 - e2)) - offset3;
-    const four q3_p = v24 + pick_four(v24 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v25 = atan2_four(s4, -v16);
-    const four v26 = v25 - offset4;
-    const four v27 = v25 - h1 * copysign_four(all_four(half_turn), s4) - offset4;
-    const four q4_p = v26 + pick_four(v26 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q4_m = v27 + pick_four(v27 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v28 = atan2_four(w4, -(T33 * v13 + s23 * v14));
-    const four v29 = v28 - offset5;
-    const four v30 = offset5 + v28;
-    const four q5_p = v29 + pick_four(v29 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v30 <= -half_turn, all_four(m2), all_four(0.0)) - v30;
-    const double v31 = w3 - w3;
-    const four q1_p = v31 + atan2_four(s1, -v4);
+    const double v29 = copysign(half_turn, v10);
+    const four v31 = h1 * copysign_four(all_four(half_turn), Y4);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v19 <= m1) | (v23 <= m2));
+
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v20 * v25) - v24 * -X4);
+    const four angle1_ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(Y4, -X4);
+    const four angle1____ = atan2_four(sqrt_four(v23), -(T33 * v20 + s23 * v21));
+    const four packed5 = atan2_four(__builtin_shufflevector(v8, all_four(v10), 0, 5, 2, 3),
+        __builtin_shufflevector(-v5, all_four(-v11), 0, 5, 2, 3));
+    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
+    const four v28 = angle1_ - offset2;
+    const four q2_p = v28 + pick_four(v28 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v30 = e2 * angle1__ + v29 * (m3 * (1.0 - e2)) - offset3;
+    const four v32 = angle1___ - offset4;
+    const four v33 = angle1___ - v31 - offset4;
+    const four q4_p = v32 + pick_four(v32 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q4_m = v33 + pick_four(v33 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v34 = angle1____ - offset5;
+    const four v35 = offset5 + angle1____;
+    const four q5_p = v34 + pick_four(v34 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q5_m = pick_four(-v35 <= -half_turn, all_four(m4), all_four(0.0)) - v35;
+    const four q1_p = v9 + angle1_____;
+    const four q3_p = v1 + (v30 + pick_four(v30 <= -half_turn, all_four(m4), all_four(0.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
@@ -825,7 +842,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         return -1;
     int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

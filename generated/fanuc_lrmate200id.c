@@ -36,6 +36,7 @@ static const double k2 = 0.023100000000000002; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.22235000000000002; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 20.235205939761407; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double turn1 = -1.4666963886852973; /* a constant angle [rad] */
 static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
 static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
@@ -45,8 +46,11 @@ static const double low3 = -1.2217304773960307; /* lowest value of joint 3 */
 static const double high3 = 3.5779249675883755; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.3456000000000002e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 1.8106393600000007e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const fanuc_lrmate200id_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -301,25 +305,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -353,25 +359,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -386,25 +394,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -446,44 +456,47 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide t14 = T14 - d6 * T11;
     const wide Y1 = d6 * T21 - T24;
-    const wide w1 = sqrt_wide(t14 * t14 + Y1 * Y1);
+    const wide v1 = t14 * t14 + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = t14 * factor1;
+    const wide v2 = t14 * factor1;
     const wide s1 = Y1 * factor1;
-    const wide q1__p = atan2_wide(s1, -v1);
-    const wide q1__m = q1__p - copysign_wide(all_wide(half_turn), s1) * h1;
+    const wide angle1 = atan2_wide(Y1, -t14);
+    const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v2 = a1 + w1;
-    const wide v3 = a1 - w1;
-    const wide v4 = Z1_3 * Z1_3;
-    const wide N3_p = v4 + v2 * v2;
-    const wide N3_m = v4 + v3 * v3;
+    const wide v3 = a1 + w1;
+    const wide v4 = a1 - w1;
+    const wide v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3;
+    const wide N3_m = v5 + v4 * v4;
     const wide K3_p = N3_p - k3;
     const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v5 = k1 * K3_p;
-    const wide v6 = k1 * K3_m;
-    const wide v7 = k2 * w3_p;
-    const wide v8 = k2 * w3_m;
-    const wide s3_pp = k4 * (v5 + v7);
-    const wide s3_pm = k4 * (v5 - v7);
-    const wide s3_mp = k4 * (v6 + v8);
-    const wide s3_mm = k4 * (v6 - v8);
-    const wide v9 = k2 * K3_p;
-    const wide v10 = k2 * K3_m;
-    const wide v11 = k1 * w3_p;
-    const wide v12 = k1 * w3_m;
-    const wide c3_pp = k4 * (v9 - v11);
-    const wide c3_pm = k4 * (v9 + v11);
-    const wide c3_mp = k4 * (v10 - v12);
-    const wide c3_mm = k4 * (v10 + v12);
-    const wide q3__pp = atan2_wide(s3_pp, c3_pp);
-    const wide q3__pm = atan2_wide(s3_pm, c3_pm);
-    const wide q3__mp = atan2_wide(s3_mp, c3_mp);
-    const wide q3__mm = atan2_wide(s3_mm, c3_mm);
+    const wide v6 = k1 * K3_p;
+    const wide v7 = k1 * K3_m;
+    const wide v8 = k2 * w3_p;
+    const wide v9 = k2 * w3_m;
+    const wide s3_pp = k4 * (v6 + v8);
+    const wide s3_pm = k4 * (v6 - v8);
+    const wide s3_mp = k4 * (v7 + v9);
+    const wide s3_mm = k4 * (v7 - v9);
+    const wide v10 = k2 * K3_p;
+    const wide v11 = k2 * K3_m;
+    const wide v12 = k1 * w3_p;
+    const wide v13 = k1 * w3_m;
+    const wide c3_pp = k4 * (v10 - v12);
+    const wide c3_pm = k4 * (v10 + v12);
+    const wide c3_mp = k4 * (v11 - v13);
+    const wide c3_mm = k4 * (v11 + v13);
+    const wide angle1_ = atan2_wide(w3_p, K3_p);
+    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1_ - turn1;
+    const wide v14 = turn1 + angle1_;
+    const wide q3__mp = angle1__ - turn1;
+    const wide v15 = turn1 + angle1__;
 
     /* theta2 */
     const wide X1_2_pp = a3 * s3_pp - d4 * c3_pp;
@@ -494,160 +507,157 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
     const wide Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
     const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide v13 = v2 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v14 = v2 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v15 = v3 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v16 = v3 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v2 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v2 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v3 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v3 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(v13 * v13 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(v14 * v14 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v15 * v15 + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(v16 * v16 + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
+    const wide v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
+    const wide v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
+    const wide v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
+    const wide C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp;
+    const wide C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm;
+    const wide C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp;
+    const wide C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm;
+    const wide v20 = v16 * v16 + C2_pp * C2_pp;
+    const wide v21 = v17 * v17 + C2_pm * C2_pm;
+    const wide v22 = v18 * v18 + C2_mp * C2_mp;
+    const wide v23 = v19 * v19 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v20);
+    const wide factor2_pm = 1.0 / sqrt_wide(v21);
+    const wide factor2_mp = 1.0 / sqrt_wide(v22);
+    const wide factor2_mm = 1.0 / sqrt_wide(v23);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
     const wide c2_mm = C2_mm * factor2_mm;
-    const wide v17 = v13 * factor2_pp;
-    const wide v18 = v14 * factor2_pm;
-    const wide v19 = v15 * factor2_mp;
-    const wide v20 = v16 * factor2_mm;
+    const wide v24 = v16 * factor2_pp;
+    const wide v25 = v17 * factor2_pm;
+    const wide v26 = v18 * factor2_mp;
+    const wide v27 = v19 * factor2_mm;
 
     /* theta4 */
-    const wide c2m3_pp = c3_pp * c2_pp - s3_pp * v17;
-    const wide c2m3_pm = c3_pm * c2_pm - s3_pm * v18;
-    const wide c2m3_mp = c3_mp * c2_mp - s3_mp * v19;
-    const wide c2m3_mm = c3_mm * c2_mm - s3_mm * v20;
-    const wide v21 = c3_pp * v17 + s3_pp * c2_pp;
-    const wide v22 = c3_pm * v18 + s3_pm * c2_pm;
-    const wide v23 = c3_mp * v19 + s3_mp * c2_mp;
-    const wide v24 = c3_mm * v20 + s3_mm * c2_mm;
-    const wide v25 = T21 * s1 - T11 * v1;
-    const wide X4_pp = T31 * v21 + c2m3_pp * v25;
-    const wide X4_pm = T31 * v22 + c2m3_pm * v25;
-    const wide X4_mp = T31 * v23 - c2m3_mp * v25;
-    const wide X4_mm = T31 * v24 - c2m3_mm * v25;
-    const wide Y4 = T11 * s1 + T21 * v1;
-    const wide v26 = Y4 * Y4;
-    const wide w4_pp = sqrt_wide(v26 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v26 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v26 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v26 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v27 = X4_pp * factor4_pp;
-    const wide v28 = X4_pm * factor4_pm;
-    const wide v29 = X4_mp * factor4_mp;
-    const wide v30 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp;
-    const wide s4_pm = Y4 * factor4_pm;
-    const wide s4_mp = Y4 * factor4_mp;
-    const wide s4_mm = Y4 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v27);
-    const wide q4_pmp = atan2_wide(s4_pm, -v28);
-    const wide q4_mpp = atan2_wide(-s4_mp, -v29);
-    const wide q4_mmp = atan2_wide(-s4_mm, -v30);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4_pp);
-    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), s4_pm);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
-    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+    const wide c2m3_pp = c3_pp * c2_pp - s3_pp * v24;
+    const wide c2m3_pm = c3_pm * c2_pm - s3_pm * v25;
+    const wide c2m3_mp = c3_mp * c2_mp - s3_mp * v26;
+    const wide c2m3_mm = c3_mm * c2_mm - s3_mm * v27;
+    const wide v28 = c3_pp * v24 + s3_pp * c2_pp;
+    const wide v29 = c3_pm * v25 + s3_pm * c2_pm;
+    const wide v30 = c3_mp * v26 + s3_mp * c2_mp;
+    const wide v31 = c3_mm * v27 + s3_mm * c2_mm;
+    const wide v32 = T21 * s1 - T11 * v2;
+    const wide X4_pp = T31 * v28 + c2m3_pp * v32;
+    const wide X4_pm = T31 * v29 + c2m3_pm * v32;
+    const wide X4_mp = T31 * v30 - c2m3_mp * v32;
+    const wide X4_mm = T31 * v31 - c2m3_mm * v32;
+    const wide Y4 = T11 * s1 + T21 * v2;
+    const wide v33 = Y4 * Y4;
+    const wide v34 = v33 + X4_pp * X4_pp;
+    const wide v35 = v33 + X4_pm * X4_pm;
+    const wide v36 = v33 + X4_mp * X4_mp;
+    const wide v37 = v33 + X4_mm * X4_mm;
+    const wide angle1___ = atan2_wide(Y4, -X4_pp);
+    const wide angle1____ = atan2_wide(Y4, -X4_pm);
+    const wide angle1_____ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1______ = atan2_wide(-Y4, -X4_mm);
+    const wide v38 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v39 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1___ - v38;
+    const wide q4_pmm = angle1____ - v38;
+    const wide q4_mpm = angle1_____ - v39;
+    const wide q4_mmm = angle1______ - v39;
 
     /* theta6 */
-    const wide v31 = v1 * T22 + s1 * T12;
-    const wide v32 = s1 * T22 - v1 * T12;
-    const wide v33 = v1 * T23 + s1 * T13;
-    const wide v34 = s1 * T23 - v1 * T13;
-    const wide v35 = v27 * v33 - s4_pp * (v21 * T33 + c2m3_pp * v34);
-    const wide v36 = v28 * v33 - s4_pm * (v22 * T33 + c2m3_pm * v34);
-    const wide v37 = s4_mp * (v23 * T33 - c2m3_mp * v34) - v29 * v33;
-    const wide v38 = s4_mm * (v24 * T33 - c2m3_mm * v34) - v30 * v33;
-    const wide q6_ppp = atan2_wide(v35, v27 * v31 - s4_pp * (v21 * T32 + c2m3_pp * v32));
-    const wide q6_pmp = atan2_wide(v36, v28 * v31 - s4_pm * (v22 * T32 + c2m3_pm * v32));
-    const wide q6_mpp = atan2_wide(v37, s4_mp * (v23 * T32 - c2m3_mp * v32) - v29 * v31);
-    const wide q6_mmp = atan2_wide(v38, s4_mm * (v24 * T32 - c2m3_mm * v32) - v30 * v31);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v35);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v36);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v37);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v38);
+    const wide v40 = v2 * T22 + s1 * T12;
+    const wide v41 = s1 * T22 - v2 * T12;
+    const wide v42 = v2 * T23 + s1 * T13;
+    const wide v43 = s1 * T23 - v2 * T13;
+    const wide v44 = X4_pp * v42 - Y4 * (v28 * T33 + c2m3_pp * v43);
+    const wide v45 = X4_pm * v42 - Y4 * (v29 * T33 + c2m3_pm * v43);
+    const wide v46 = Y4 * (v30 * T33 - c2m3_mp * v43) - X4_mp * v42;
+    const wide v47 = Y4 * (v31 * T33 - c2m3_mm * v43) - X4_mm * v42;
+    const wide angle1_______ = atan2_wide(v44, X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41));
+    const wide angle1________ = atan2_wide(v45, X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41));
+    const wide angle1_________ = atan2_wide(v46, Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40);
+    const wide angle1__________ = atan2_wide(v47, Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40);
+    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v47);
 
     /* joint values */
-    const wide v39 = atan2_wide(-v17, c2_pp) - offset2;
-    const wide v40 = atan2_wide(-v18, c2_pm) - offset2;
-    const wide v41 = atan2_wide(-v19, c2_mp) - offset2;
-    const wide v42 = atan2_wide(-v20, c2_mm) - offset2;
-    const wide q2_ppp = v39 - pick_wide(half_turn < v39, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v40 - pick_wide(half_turn < v40, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v41 - pick_wide(half_turn < v41, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v42 - pick_wide(half_turn < v42, all_wide(m2), all_wide(0.0));
-    const wide v43 = atan2_wide(w4_pp, T31 * c2m3_pp - v21 * v25);
-    const wide v44 = atan2_wide(w4_pm, T31 * c2m3_pm - v22 * v25);
-    const wide v45 = atan2_wide(w4_mp, T31 * c2m3_mp + v23 * v25);
-    const wide v46 = atan2_wide(w4_mm, T31 * c2m3_mm + v24 * v25);
-    const wide v47 = v43 - offset5;
-    const wide v48 = offset5 + v43;
-    const wide v49 = v44 - offset5;
-    const wide v50 = offset5 + v44;
-    const wide v51 = v45 - offset5;
-    const wide v52 = offset5 + v45;
-    const wide v53 = v46 - offset5;
-    const wide v54 = offset5 + v46;
-    const wide q5_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - v48;
-    const wide q5_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v50 <= -half_turn, all_wide(m2), all_wide(0.0)) - v50;
-    const wide q5_mpp = v51 + pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - v52;
-    const wide q5_mmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v54 <= -half_turn, all_wide(m2), all_wide(0.0)) - v54;
-    const wide_mask v55 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v56 = (q1__m < low1) | (high1 < q1__m);
-    const wide v57 = q3__pp + pick_wide(q3__pp < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v58 = q3__pm + pick_wide(q3__pm < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v59 = q3__mp + pick_wide(q3__mp < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v60 = q3__mm + pick_wide(q3__mm < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v61 = (v57 < low3) | (high3 < v57);
-    const wide_mask v62 = (v58 < low3) | (high3 < v58);
-    const wide_mask v63 = (v59 < low3) | (high3 < v59);
-    const wide_mask v64 = (v60 < low3) | (high3 < v60);
-    const wide q3_ppp = pick_wide(v61, q3__pp, v57);
-    const wide q3_pmp = pick_wide(v62, q3__pm, v58);
-    const wide q3_mpp = pick_wide(v63, q3__mp, v59);
-    const wide q3_mmp = pick_wide(v64, q3__mm, v60);
-    const wide q1_ppp = q1__p + (w3_p - w3_p);
+    const wide angle1___________ = atan2_wide(-v16, C2_pp);
+    const wide v48 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(-v17, C2_pm);
+    const wide v49 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(-v18, C2_mp);
+    const wide v50 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(-v19, C2_mm);
+    const wide v51 = angle1______________ - offset2;
+    const wide q2_ppp = v48 - pick_wide(half_turn < v48, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v49 - pick_wide(half_turn < v49, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v50 - pick_wide(half_turn < v50, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v51 - pick_wide(half_turn < v51, all_wide(m5), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v34), T31 * c2m3_pp - v28 * v32);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v35), T31 * c2m3_pm - v29 * v32);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v36), T31 * c2m3_mp + v30 * v32);
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v37), T31 * c2m3_mm + v31 * v32);
+    const wide v52 = angle1_______________ - offset5;
+    const wide v53 = offset5 + angle1_______________;
+    const wide v54 = angle1________________ - offset5;
+    const wide v55 = offset5 + angle1________________;
+    const wide v56 = angle1_________________ - offset5;
+    const wide v57 = offset5 + angle1_________________;
+    const wide v58 = angle1__________________ - offset5;
+    const wide v59 = offset5 + angle1__________________;
+    const wide q5_ppp = v52 + pick_wide(v52 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v53 <= -half_turn, all_wide(m5), all_wide(0.0)) - v53;
+    const wide q5_pmp = v54 + pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v55 <= -half_turn, all_wide(m5), all_wide(0.0)) - v55;
+    const wide q5_mpp = v56 + pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) - v57;
+    const wide q5_mmp = v58 + pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v59 <= -half_turn, all_wide(m5), all_wide(0.0)) - v59;
+    const wide v60 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m5), all_wide(0.0));
+    const wide v61 = v14 + pick_wide(half_turn < -v14, all_wide(m5), all_wide(0.0));
+    const wide v62 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m5), all_wide(0.0));
+    const wide v63 = v15 + pick_wide(half_turn < -v15, all_wide(m5), all_wide(0.0));
+    const wide_mask v64 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v65 = (q1__m < low1) | (high1 < q1__m);
+    const wide v66 = v60 + pick_wide(v60 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v67 = pick_wide(-v61 < low3, all_wide(whole_turn), all_wide(0.0)) - v61;
+    const wide v68 = v62 + pick_wide(v62 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v69 = pick_wide(-v63 < low3, all_wide(whole_turn), all_wide(0.0)) - v63;
+    const wide_mask v70 = (v66 < low3) | (high3 < v66);
+    const wide_mask v71 = (v67 < low3) | (high3 < v67);
+    const wide_mask v72 = (v68 < low3) | (high3 < v68);
+    const wide_mask v73 = (v69 < low3) | (high3 < v69);
+    const wide q3_ppp = pick_wide(v70, v60, v66);
+    const wide q3_pmp = pick_wide(v71, -v61, v67);
+    const wide q3_mpp = pick_wide(v72, v62, v68);
+    const wide q3_mmp = pick_wide(v73, -v63, v69);
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v65 = v61 | (v55 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v66 = v62 | (v55 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v67 = v63 | (v56 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v68 = v64 | (v56 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v65 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v65 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v66 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v66 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v67 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v67 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v68 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v68 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask v74 = v70 | (v64 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v75 = v71 | (v64 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v76 = v72 | (v65 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v77 = v73 | (v65 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v74 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v74 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v75 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v75 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v76 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v76 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v77 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v77 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((v23 <= m3) | (v37 <= m4)) | (((v22 <= m3) | (v36 <= m4)) | (((v21 <=
+        m3) | (v35 <= m4)) | (((v20 <= m3) | (v34 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1___;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1_______;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -659,9 +669,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[15] = angle1____;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1________;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -673,9 +683,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
+    q[27] = angle1_____;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1_________;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -687,9 +697,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = q4_mmp;
+    q[39] = angle1______;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1__________;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -766,7 +776,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -780,14 +790,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
-    const double w1 = sqrt(t14 * t14 + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = t14 * t14 + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = t14 * factor1;
+    const double v2 = t14 * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
-    const four q1_ = v2 + v3 * (m1 * (e1 - 1.0));
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
@@ -802,69 +811,75 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v8 = k2 * K3;
     const four v9 = k1 * w3;
     const four c3 = k4 * (v8 - e2 * v9);
-    const four q3_ = atan2_four(s3, c3);
 
     /* theta2 */
     const four X1_2 = a3 * s3 - d4 * c3;
     const four Y1_2 = a2 + (a3 * c3 + d4 * s3);
     const four v10 = v4 * X1_2 + Z1_3 * Y1_2;
     const four C2 = Z1_3 * X1_2 - v4 * Y1_2;
-    const four w2 = sqrt_four(v10 * v10 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v11 = v10 * v10 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
     const four c2 = C2 * factor2;
-    const four v11 = v10 * factor2;
+    const four v12 = v10 * factor2;
 
     /* theta4 */
-    const four c2m3 = c3 * c2 - s3 * v11;
-    const four v12 = c3 * v11 + s3 * c2;
-    const double v13 = T21 * s1 - T11 * v1;
-    const four X4 = T31 * v12 + e1 * (c2m3 * v13);
-    const double Y4 = T11 * s1 + T21 * v1;
-    const double v14 = Y4 * Y4;
-    const four w4 = sqrt_four(v14 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v15 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v16 = e1 * s4;
-    const four q4_p = atan2_four(v16, -v15);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), v16) * h1;
+    const four c2m3 = c3 * c2 - s3 * v12;
+    const four v13 = c3 * v12 + s3 * c2;
+    const double v14 = T21 * s1 - T11 * v2;
+    const four X4 = T31 * v13 + e1 * (c2m3 * v14);
+    const double Y4 = T11 * s1 + T21 * v2;
+    const double v15 = Y4 * Y4;
+    const four v16 = v15 + X4 * X4;
+    const four v17 = e1 * Y4;
+    const four v18 = copysign_four(all_four(half_turn), v17) * h1;
 
     /* theta6 */
-    const double v17 = v1 * T22 + s1 * T12;
-    const double v18 = s1 * T22 - v1 * T12;
-    const double v19 = v1 * T23 + s1 * T13;
-    const double v20 = s1 * T23 - v1 * T13;
-    const four v21 = e1 * (v15 * v19 - s4 * (v12 * T33 + e1 * (c2m3 * v20)));
-    const four q6_p = atan2_four(v21, e1 * (v15 * v17 - s4 * (v12 * T32 + e1 * (c2m3 * v18))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v21);
+    const double v19 = v2 * T22 + s1 * T12;
+    const double v20 = s1 * T22 - v2 * T12;
+    const double v21 = v2 * T23 + s1 * T13;
+    const double v22 = s1 * T23 - v2 * T13;
+    const four v23 = e1 * (X4 * v21 - Y4 * (v13 * T33 + e1 * (c2m3 * v22)));
 
     /* joint values */
-    const four v22 = atan2_four(-v11, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
-    const four v23 = atan2_four(w4, T31 * c2m3 - e1 * (v12 * v13));
-    const four v24 = v23 - offset5;
-    const four v25 = offset5 + v23;
-    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m2), all_four(0.0)) - v25;
-    const four_mask v26 = (q1_ < low1) | (high1 < q1_);
-    const four v27 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
-    const four_mask v28 = (v27 < low3) | (high3 < v27);
-    const four q3_p = pick_four(v28, q3_, v27);
-    const four q1_p = q1_ + (w3 - w3);
-    const four_mask v29 = v28 | (v26 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v29 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v29 | ((q5_m < low5) | (high5 < q5_m));
-    const four_mask v30 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+    const four_mask v32 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v30;
+    const four_mask doubt = ((v11 <= m3) | (v16 <= m4)) | v32;
+
+    const four angle1__ = atan2_four(v17, -X4);
+    const four angle1___ = atan2_four(v23, e1 * (X4 * v19 - Y4 * (v13 * T32 + e1 * (c2m3 * v20))));
+    const four angle1____ = atan2_four(-v10, C2);
+    const four angle1_____ = atan2_four(sqrt_four(v16), T31 * c2m3 - e1 * (v13 * v14));
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1__ - v18;
+    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v23);
+    const four v24 = angle1____ - offset2;
+    const four q2_p = v24 - pick_four(half_turn < v24, all_four(m5), all_four(0.0));
+    const four v25 = angle1_____ - offset5;
+    const four v26 = offset5 + angle1_____;
+    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m5), all_four(0.0)) - v26;
+    const four v27 = q3_ - pick_four(half_turn < q3_, all_four(m5), all_four(0.0));
+    const four_mask v28 = (q1_ < low1) | (high1 < q1_);
+    const four v29 = v27 + pick_four(v27 < low3, all_four(whole_turn), all_four(0.0));
+    const four_mask v30 = (v29 < low3) | (high3 < v29);
+    const four q3_p = pick_four(v30, v27, v29);
+    const four q1_p = q1_ + (w3 - w3);
+    const four_mask v31 = v30 | (v28 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = v31 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v31 | ((q5_m < low5) | (high5 < q5_m));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

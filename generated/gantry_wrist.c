@@ -13,7 +13,8 @@ static const double d4 = 0.1; /* joint offset 4 [m] */
 static const double d6 = 0.12; /* joint offset 6 [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const gantry_wrist_branches[2] = {
     "noflip", "flip",
@@ -187,25 +188,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -239,25 +242,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -272,25 +277,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -339,34 +346,31 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
     const wide q3_p = T14 - d6 * T13 - d4;
 
     /* theta4 */
-    const wide w4 = sqrt_wide(T33 * T33 + T23 * T23);
-    const wide_mask doubt = w4 <= free_limit;
-    const wide factor4 = 1.0 / w4;
-    const wide v1 = T33 * factor4;
-    const wide s4 = T23 * factor4;
-    const wide q4_p = atan2_wide(s4, -v1);
-    const wide q4_m = q4_p - copysign_wide(all_wide(half_turn), s4) * h1;
+    const wide v1 = T33 * T33 + T23 * T23;
+    const wide_mask doubt = v1 <= m1;
+    const wide angle1 = atan2_wide(T23, -T33);
+    const wide q4_m = angle1 - copysign_wide(all_wide(half_turn), T23) * h1;
 
     /* theta5 */
-    const wide q5_p = atan2_wide(-w4, T13);
+    const wide angle1_ = atan2_wide(-sqrt_wide(v1), T13);
 
     /* theta6 */
-    const wide v2 = v1 * T21 - s4 * T31;
-    const wide q6_p = atan2_wide(v2, v1 * T22 - s4 * T32);
-    const wide q6_m = q6_p - h1 * copysign_wide(all_wide(half_turn), v2);
+    const wide v2 = T33 * T21 - T23 * T31;
+    const wide angle1__ = atan2_wide(v2, T33 * T22 - T23 * T32);
+    const wide q6_m = angle1__ - h1 * copysign_wide(all_wide(half_turn), v2);
 
     q[0] = q1_p;
     q[1] = q2_p;
     q[2] = q3_p;
-    q[3] = q4_p;
-    q[4] = q5_p;
-    q[5] = q6_p;
+    q[3] = angle1;
+    q[4] = angle1_;
+    q[5] = angle1__;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_p;
     q[7] = q2_p;
     q[8] = q3_p;
     q[9] = q4_m;
-    q[10] = -q5_p;
+    q[10] = -angle1_;
     q[11] = q6_m;
     kind[1] = kind_of(q[6] != q[6], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -437,7 +441,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][6], unsigned char status[2])
@@ -457,27 +461,23 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     const double q3 = T14 - d6 * T13 - d4;
 
     /* theta4 */
-    const double w4 = sqrt(T33 * T33 + T23 * T23);
-    const int doubt = w4 <= free_limit;
-    const double factor4 = 1.0 / w4;
-    const double v1 = T33 * factor4;
-    const double s4 = T23 * factor4;
-    const four v2 = atan2_four(all_four(s4), all_four(-v1));
-    const double v3 = copysign(half_turn, s4);
-    const four v4 = m1 * (e1 - 1.0);
-    const four q4 = v2 + v3 * v4;
-
-    /* theta5 */
-    const four q5_ = atan2_four(all_four(-w4), all_four(T13));
+    const double v1 = T33 * T33 + T23 * T23;
+    const int doubt = v1 <= m1;
+    const double v2 = copysign(half_turn, T23);
+    const four v3 = m2 * (e1 - 1.0);
 
     /* theta6 */
-    const double v5 = v1 * T21 - s4 * T31;
-    const four v6 = atan2_four(all_four(v5), all_four(v1 * T22 - s4 * T32));
-    const double v7 = copysign(half_turn, v5);
-    const four q6 = v6 + v4 * v7;
+    const double v4 = T33 * T21 - T23 * T31;
+    const double v5 = copysign(half_turn, v4);
 
-    /* joint values */
-    const four q5 = e1 * q5_;
+    const four packed1 = atan2_four((four){ T23, -sqrt(v1), v4, T23 }, (four){ -T33, T13, T33 * T22
+        - T23 * T32, -T33 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q4 = angle1 + v2 * v3;
+    const four q6 = angle1__ + v3 * v5;
+    const four q5 = e1 * angle1_;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -37,8 +37,12 @@ static const double k2 = 0.0567392; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.09989556000000001; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 102.1511817908859; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double turn1 = 0.960070362405688; /* a constant angle [rad] */
+static const double m1 = 8.049678400000001e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 6.479732234342659e-49; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const igus_rebel_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -292,25 +296,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -344,25 +350,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -377,25 +385,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -437,11 +447,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide v1 = wx * wx + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = wx * factor1;
+    const wide v2 = wx * factor1;
     const wide s1 = Y1 * factor1;
-    const wide v2 = atan2_wide(s1, -v1);
+    const wide angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
@@ -488,134 +499,127 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v21 = Z1_3 * v17 + v3 * Y1_2_pm;
     const wide v22 = Z1_3 * v18 + v4 * Y1_2_mp;
     const wide v23 = Z1_3 * v19 + v4 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v20 * v20);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + v21 * v21);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v22 * v22);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v23 * v23);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v24 = v20 * factor2_pp;
-    const wide v25 = v21 * factor2_pm;
-    const wide v26 = v22 * factor2_mp;
-    const wide v27 = v23 * factor2_mm;
+    const wide v24 = S2_pp * S2_pp + v20 * v20;
+    const wide v25 = S2_pm * S2_pm + v21 * v21;
+    const wide v26 = S2_mp * S2_mp + v22 * v22;
+    const wide v27 = S2_mm * S2_mm + v23 * v23;
+    const wide factor2_pp = 1.0 / sqrt_wide(v24);
+    const wide factor2_pm = 1.0 / sqrt_wide(v25);
+    const wide factor2_mp = 1.0 / sqrt_wide(v26);
+    const wide factor2_mm = 1.0 / sqrt_wide(v27);
+    const wide v28 = v20 * factor2_pp;
+    const wide v29 = v21 * factor2_pm;
+    const wide v30 = v22 * factor2_mp;
+    const wide v31 = v23 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
     const wide s2_mm = S2_mm * factor2_mm;
 
     /* theta4 */
-    const wide v28 = c3_pp * v24 + s3_pp * s2_pp;
-    const wide v29 = c3_pm * v25 - v10 * s2_pm;
-    const wide v30 = c3_mp * v26 + s3_mp * s2_mp;
-    const wide v31 = c3_mm * v27 - v11 * s2_mm;
-    const wide s23_pp = c3_pp * s2_pp - s3_pp * v24;
-    const wide s23_pm = c3_pm * s2_pm + v10 * v25;
-    const wide s23_mp = c3_mp * s2_mp - s3_mp * v26;
-    const wide s23_mm = c3_mm * s2_mm + v11 * v27;
-    const wide v32 = T23 * s1 - T13 * v1;
-    const wide X4_pp = T33 * s23_pp + v28 * v32;
-    const wide X4_pm = T33 * s23_pm + v29 * v32;
-    const wide X4_mp = T33 * s23_mp - v30 * v32;
-    const wide X4_mm = T33 * s23_mm - v31 * v32;
-    const wide Y4 = T13 * s1 + T23 * v1;
-    const wide v33 = Y4 * Y4;
-    const wide w4_pp = sqrt_wide(v33 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v33 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v33 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v33 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v34 = X4_pp * factor4_pp;
-    const wide v35 = X4_pm * factor4_pm;
-    const wide v36 = X4_mp * factor4_mp;
-    const wide v37 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp;
-    const wide s4_pm = Y4 * factor4_pm;
-    const wide s4_mp = Y4 * factor4_mp;
-    const wide s4_mm = Y4 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v34);
-    const wide q4_pmp = atan2_wide(s4_pm, -v35);
-    const wide q4_mpp = atan2_wide(-s4_mp, -v36);
-    const wide q4_mmp = atan2_wide(-s4_mm, -v37);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), s4_pp) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), s4_pm) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -s4_mp) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -s4_mm) * h1;
+    const wide v32 = c3_pp * v28 + s3_pp * s2_pp;
+    const wide v33 = c3_pm * v29 - v10 * s2_pm;
+    const wide v34 = c3_mp * v30 + s3_mp * s2_mp;
+    const wide v35 = c3_mm * v31 - v11 * s2_mm;
+    const wide s23_pp = c3_pp * s2_pp - s3_pp * v28;
+    const wide s23_pm = c3_pm * s2_pm + v10 * v29;
+    const wide s23_mp = c3_mp * s2_mp - s3_mp * v30;
+    const wide s23_mm = c3_mm * s2_mm + v11 * v31;
+    const wide v36 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * s23_pp + v32 * v36;
+    const wide X4_pm = T33 * s23_pm + v33 * v36;
+    const wide X4_mp = T33 * s23_mp - v34 * v36;
+    const wide X4_mm = T33 * s23_mm - v35 * v36;
+    const wide Y4 = T13 * s1 + T23 * v2;
+    const wide v37 = Y4 * Y4;
+    const wide v38 = v37 + X4_pp * X4_pp;
+    const wide v39 = v37 + X4_pm * X4_pm;
+    const wide v40 = v37 + X4_mp * X4_mp;
+    const wide v41 = v37 + X4_mm * X4_mm;
+    const wide angle1_ = atan2_wide(Y4, -X4_pp);
+    const wide angle1__ = atan2_wide(Y4, -X4_pm);
+    const wide angle1___ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1____ = atan2_wide(-Y4, -X4_mm);
+    const wide v42 = copysign_wide(all_wide(half_turn), Y4) * h1;
+    const wide v43 = copysign_wide(all_wide(half_turn), -Y4) * h1;
+    const wide q4_ppm = angle1_ - v42;
+    const wide q4_pmm = angle1__ - v42;
+    const wide q4_mpm = angle1___ - v43;
+    const wide q4_mmm = angle1____ - v43;
 
     /* theta6 */
-    const wide v38 = v1 * T22 + s1 * T12;
-    const wide v39 = s1 * T22 - v1 * T12;
-    const wide v40 = v1 * T21 + s1 * T11;
-    const wide v41 = s1 * T21 - v1 * T11;
-    const wide v42 = v34 * v40 - s4_pp * (s23_pp * T31 + v28 * v41);
-    const wide v43 = v35 * v40 - s4_pm * (s23_pm * T31 + v29 * v41);
-    const wide v44 = s4_mp * (s23_mp * T31 - v30 * v41) - v36 * v40;
-    const wide v45 = s4_mm * (s23_mm * T31 - v31 * v41) - v37 * v40;
-    const wide q6_ppp = atan2_wide(v42, v34 * v38 - s4_pp * (s23_pp * T32 + v28 * v39));
-    const wide q6_pmp = atan2_wide(v43, v35 * v38 - s4_pm * (s23_pm * T32 + v29 * v39));
-    const wide q6_mpp = atan2_wide(v44, s4_mp * (s23_mp * T32 - v30 * v39) - v36 * v38);
-    const wide q6_mmp = atan2_wide(v45, s4_mm * (s23_mm * T32 - v31 * v39) - v37 * v38);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide v44 = v2 * T22 + s1 * T12;
+    const wide v45 = s1 * T22 - v2 * T12;
+    const wide v46 = v2 * T21 + s1 * T11;
+    const wide v47 = s1 * T21 - v2 * T11;
+    const wide v48 = X4_pp * v46 - Y4 * (s23_pp * T31 + v32 * v47);
+    const wide v49 = X4_pm * v46 - Y4 * (s23_pm * T31 + v33 * v47);
+    const wide v50 = Y4 * (s23_mp * T31 - v34 * v47) - X4_mp * v46;
+    const wide v51 = Y4 * (s23_mm * T31 - v35 * v47) - X4_mm * v46;
+    const wide angle1_____ = atan2_wide(v48, X4_pp * v44 - Y4 * (s23_pp * T32 + v32 * v45));
+    const wide angle1______ = atan2_wide(v49, X4_pm * v44 - Y4 * (s23_pm * T32 + v33 * v45));
+    const wide angle1_______ = atan2_wide(v50, Y4 * (s23_mp * T32 - v34 * v45) - X4_mp * v44);
+    const wide angle1________ = atan2_wide(v51, Y4 * (s23_mm * T32 - v35 * v45) - X4_mm * v44);
+    const wide q6_ppm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide q6_pmm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v49);
+    const wide q6_mpm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide q6_mmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v51);
 
     /* joint values */
-    const wide v46 = atan2_wide(s2_pp, -v24) - offset2;
-    const wide v47 = atan2_wide(s2_pm, -v25) - offset2;
-    const wide v48 = atan2_wide(s2_mp, -v26) - offset2;
-    const wide v49 = atan2_wide(s2_mm, -v27) - offset2;
-    const wide q2_ppp = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v48 - pick_wide(half_turn < v48, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v49 - pick_wide(half_turn < v49, all_wide(m2), all_wide(0.0));
-    const wide v50 = atan2_wide(s3_pp, c3_pp) - offset3;
-    const wide v51 = atan2_wide(-v10, c3_pm) - offset3;
-    const wide v52 = atan2_wide(s3_mp, c3_mp) - offset3;
-    const wide v53 = atan2_wide(-v11, c3_mm) - offset3;
-    const wide q3_ppp = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0));
-    const wide q3_pmp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0));
-    const wide q3_mpp = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0));
-    const wide q3_mmp = v53 - pick_wide(half_turn < v53, all_wide(m2), all_wide(0.0));
-    const wide v54 = atan2_wide(w4_pp, s23_pp * v32 - T33 * v28);
-    const wide v55 = atan2_wide(w4_pm, s23_pm * v32 - T33 * v29);
-    const wide v56 = atan2_wide(w4_mp, -(s23_mp * v32 + T33 * v30));
-    const wide v57 = atan2_wide(w4_mm, -(s23_mm * v32 + T33 * v31));
-    const wide v58 = v54 - offset5;
-    const wide v59 = offset5 + v54;
-    const wide v60 = v55 - offset5;
-    const wide v61 = offset5 + v55;
-    const wide v62 = v56 - offset5;
-    const wide v63 = offset5 + v56;
-    const wide v64 = v57 - offset5;
-    const wide v65 = offset5 + v57;
-    const wide q5_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v59 <= -half_turn, all_wide(m2), all_wide(0.0)) - v59;
-    const wide q5_pmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v61 <= -half_turn, all_wide(m2), all_wide(0.0)) - v61;
-    const wide q5_mpp = v62 + pick_wide(v62 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v63 <= -half_turn, all_wide(m2), all_wide(0.0)) - v63;
-    const wide q5_mmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v65 <= -half_turn, all_wide(m2), all_wide(0.0)) - v65;
-    const wide q1_ppp = v2 + (w3_p - w3_p);
-    const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide angle1_________ = atan2_wide(S2_pp, -v20);
+    const wide v52 = angle1_________ - offset2;
+    const wide angle1__________ = atan2_wide(S2_pm, -v21);
+    const wide v53 = angle1__________ - offset2;
+    const wide angle1___________ = atan2_wide(S2_mp, -v22);
+    const wide v54 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(S2_mm, -v23);
+    const wide v55 = angle1____________ - offset2;
+    const wide q2_ppp = v52 - pick_wide(half_turn < v52, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v53 - pick_wide(half_turn < v53, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0));
+    const wide angle1_____________ = atan2_wide(w3_p, K3_p);
+    const wide angle1______________ = atan2_wide(w3_m, K3_m);
+    const wide v56 = angle1_____________ - turn1 - offset3;
+    const wide v57 = offset3 + (turn1 + angle1_____________);
+    const wide v58 = angle1______________ - turn1 - offset3;
+    const wide v59 = offset3 + (turn1 + angle1______________);
+    const wide q3_ppp = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0));
+    const wide q3_mpp = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v38), s23_pp * v36 - T33 * v32);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v39), s23_pm * v36 - T33 * v33);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v40), -(s23_mp * v36 + T33 * v34));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v41), -(s23_mm * v36 + T33 * v35));
+    const wide v60 = angle1_______________ - offset5;
+    const wide v61 = offset5 + angle1_______________;
+    const wide v62 = angle1________________ - offset5;
+    const wide v63 = offset5 + angle1________________;
+    const wide v64 = angle1_________________ - offset5;
+    const wide v65 = offset5 + angle1_________________;
+    const wide v66 = angle1__________________ - offset5;
+    const wide v67 = offset5 + angle1__________________;
+    const wide q5_ppp = v60 + pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v61 <= -half_turn, all_wide(m5), all_wide(0.0)) - v61;
+    const wide q5_pmp = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v63 <= -half_turn, all_wide(m5), all_wide(0.0)) - v63;
+    const wide q5_mpp = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v65 <= -half_turn, all_wide(m5), all_wide(0.0)) - v65;
+    const wide q5_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v67 <= -half_turn, all_wide(m5), all_wide(0.0)) - v67;
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
+    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt = ((v27 <= m3) | (v41 <= m4)) | (((v26 <= m3) | (v40 <= m4)) | (((v25 <=
+        m3) | (v39 <= m4)) | (((v24 <= m3) | (v38 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1_;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1_____;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -626,14 +630,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[14] = -(v57 + pick_wide(half_turn < -v57, all_wide(m5), all_wide(0.0)));
+    q[15] = angle1__;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1______;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = q3_pmp;
+    q[20] = -(v57 + pick_wide(half_turn < -v57, all_wide(m5), all_wide(0.0)));
     q[21] = q4_pmm;
     q[22] = q5_pmm;
     q[23] = q6_pmm;
@@ -641,9 +645,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
+    q[27] = angle1___;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1_______;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -654,14 +658,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = q4_mmp;
+    q[38] = -(v59 + pick_wide(half_turn < -v59, all_wide(m5), all_wide(0.0)));
+    q[39] = angle1____;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = q3_mmp;
+    q[44] = -(v59 + pick_wide(half_turn < -v59, all_wide(m5), all_wide(0.0)));
     q[45] = q4_mmm;
     q[46] = q5_mmm;
     q[47] = q6_mmm;
@@ -734,7 +738,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -748,13 +752,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(wx * wx + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = wx * wx + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = wx * factor1;
+    const double v2 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -775,57 +779,61 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Y1_2 = a2 + (a3 * c3 - d4 * s3);
     const four S2 = v4 * v10 - Z1_3 * Y1_2;
     const four v11 = Z1_3 * v10 + v4 * Y1_2;
-    const four w2 = sqrt_four(S2 * S2 + v11 * v11);
-    const four factor2 = 1.0 / w2;
-    const four v12 = v11 * factor2;
+    const four v12 = S2 * S2 + v11 * v11;
+    const four factor2 = 1.0 / sqrt_four(v12);
+    const four v13 = v11 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v13 = c3 * v12 + s3 * s2;
-    const four s23 = c3 * s2 - s3 * v12;
-    const double v14 = T23 * s1 - T13 * v1;
-    const four X4 = T33 * s23 + e1 * (v13 * v14);
-    const double Y4 = T13 * s1 + T23 * v1;
-    const double v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v16 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v17 = e1 * s4;
-    const four q4_p = atan2_four(v17, -v16);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), v17) * h1;
+    const four v14 = c3 * v13 + s3 * s2;
+    const four s23 = c3 * s2 - s3 * v13;
+    const double v15 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * s23 + e1 * (v14 * v15);
+    const double Y4 = T13 * s1 + T23 * v2;
+    const double v16 = Y4 * Y4;
+    const four v17 = v16 + X4 * X4;
+    const four v18 = e1 * Y4;
+    const four v19 = copysign_four(all_four(half_turn), v18) * h1;
 
     /* theta6 */
-    const double v18 = v1 * T22 + s1 * T12;
-    const double v19 = s1 * T22 - v1 * T12;
-    const double v20 = v1 * T21 + s1 * T11;
-    const double v21 = s1 * T21 - v1 * T11;
-    const four v22 = e1 * (v16 * v20 - s4 * (s23 * T31 + e1 * (v13 * v21)));
-    const four q6_p = atan2_four(v22, e1 * (v16 * v18 - s4 * (s23 * T32 + e1 * (v13 * v19))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v22);
+    const double v20 = v2 * T22 + s1 * T12;
+    const double v21 = s1 * T22 - v2 * T12;
+    const double v22 = v2 * T21 + s1 * T11;
+    const double v23 = s1 * T21 - v2 * T11;
+    const four v24 = e1 * (X4 * v22 - Y4 * (s23 * T31 + e1 * (v14 * v23)));
 
     /* joint values */
-    const four v23 = atan2_four(s2, -v12) - offset2;
-    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m2), all_four(0.0));
-    const four v24 = atan2_four(s3, c3) - offset3;
-    const four q3_p = v24 - pick_four(half_turn < v24, all_four(m2), all_four(0.0));
-    const four v25 = atan2_four(w4, e1 * (s23 * v14) - T33 * v13);
-    const four v26 = v25 - offset5;
-    const four v27 = offset5 + v25;
-    const four q5_p = v26 + pick_four(v26 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v27 <= -half_turn, all_four(m2), all_four(0.0)) - v27;
-    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v28 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+    const four_mask v29 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v28;
+    const four_mask doubt = ((v12 <= m3) | (v17 <= m4)) | v29;
+
+    const four angle1_ = atan2_four(v18, -X4);
+    const four angle1__ = atan2_four(v24, e1 * (X4 * v20 - Y4 * (s23 * T32 + e1 * (v14 * v21))));
+    const four angle1___ = atan2_four(S2, -v11);
+    const four angle1_____ = atan2_four(sqrt_four(v17), e1 * (s23 * v15) - T33 * v14);
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-wx), 0, 5, 2, 3));
+    const four angle1____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle1_ - v19;
+    const four q6_m = angle1__ - h1 * copysign_four(all_four(half_turn), v24);
+    const four v25 = angle1___ - offset2;
+    const four q2_p = v25 - pick_four(half_turn < v25, all_four(m5), all_four(0.0));
+    const four v26 = e2 * angle1____ - turn1 - offset3;
+    const four q3_p = v26 - pick_four(half_turn < v26, all_four(m5), all_four(0.0));
+    const four v27 = angle1_____ - offset5;
+    const four v28 = offset5 + angle1_____;
+    const four q5_p = v27 + pick_four(v27 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v28 <= -half_turn, all_four(m5), all_four(0.0)) - v28;
+    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1_);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1__);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -33,8 +33,11 @@ static const double pose_slack1 = 6.778e-06; /* a pose may be rounded by this [m
 static const double k1 = 0.055421000000000005; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 18.932222642938278; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 4.5941283999999985e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m4 = 2.1106015755686556e-49; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const katana_400_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -250,25 +253,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -302,25 +307,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -335,25 +342,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -393,155 +402,153 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
-    const wide v1 = atan2_wide(s1, c1);
+    const wide angle1 = atan2_wide(T24, T14);
 
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide w234 = sqrt_wide(T33 * T33 + Z2_234 * Z2_234);
-    const wide_mask free234 = w234 <= free_limit_squared;
-    const wide factor234 = 1.0 / w234;
+    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
+    const wide_mask free234 = v2 <= m3;
+    const wide factor234 = 1.0 / sqrt_wide(v2);
     const wide c234 = T33 * factor234;
-    const wide v2 = Z2_234 * factor234;
-    const wide theta234 = atan2_wide(-v2, c234);
+    const wide v3 = Z2_234 * factor234;
+    const wide angle1_ = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
     const wide Z1_5 = s1 * T12 - c1 * T22;
     const wide Z2_5 = s1 * T11 - c1 * T21;
-    const wide w5 = sqrt_wide(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-    const wide v3 = 1.0 / w5;
-    const wide v4 = Z1_5 * v3;
-    const wide v5 = Z2_5 * v3;
-    const wide v6 = atan2_wide(-v5, -v4);
+    const wide v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const wide v5 = 1.0 / sqrt_wide(v4);
+    const wide v6 = Z1_5 * v5;
+    const wide v7 = Z2_5 * v5;
+    const wide angle1__ = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v7 = d5 * c234;
-    const wide Z1_3 = T34 - d1 - v7;
-    const wide v8 = d5 * v2;
-    const wide Z2_3 = w1 - v8;
+    const wide v8 = d5 * c234;
+    const wide Z1_3 = T34 - d1 - v8;
+    const wide v9 = d5 * v3;
+    const wide Z2_3 = w1 - v9;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const wide K3 = N3 - k1;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide v10 = w3 - w3;
     const wide s3 = k2 * w3;
-    const wide c3 = k2 * (N3 - k1);
-    const wide q3_ = atan2_wide(s3, c3);
+    const wide c3 = k2 * K3;
+    const wide angle1___ = atan2_wide(w3, K3);
 
     /* theta2 */
     const wide X1_2 = a2 + a3 * c3;
     const wide Y1_2 = a3 * s3;
-    const wide v9 = Z1_3 * X1_2;
-    const wide v10 = Z2_3 * Y1_2;
-    const wide S2_pp = v9 - v10;
-    const wide S2_pm = v9 + v10;
-    const wide v11 = Z2_3 * X1_2;
-    const wide v12 = Z1_3 * Y1_2;
-    const wide C2_pp = v11 + v12;
-    const wide C2_pm = v11 - v12;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide v13 = S2_pm * S2_pm;
-    const wide w2_pm = sqrt_wide(v13 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v13 + -C2_pm * -C2_pm);
-    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
-    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
-    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
+    const wide v11 = Z1_3 * X1_2;
+    const wide v12 = Z2_3 * Y1_2;
+    const wide S2_pp = v11 - v12;
+    const wide S2_pm = v11 + v12;
+    const wide v13 = Z2_3 * X1_2;
+    const wide v14 = Z1_3 * Y1_2;
+    const wide C2_pp = v13 + v14;
+    const wide C2_pm = v13 - v14;
+    const wide v15 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v16 = S2_pm * S2_pm;
+    const wide v17 = v16 + C2_pm * C2_pm;
+    const wide v18 = v16 + -C2_pm * -C2_pm;
+    const wide_mask free2_pp = v15 <= m4;
+    const wide_mask free2_pm = v17 <= m4;
+    const wide_mask free2_mp = v18 <= m4;
+    const wide factor2_pp = 1.0 / sqrt_wide(v15);
+    const wide factor2_pm = 1.0 / sqrt_wide(v17);
+    const wide factor2_mp = 1.0 / sqrt_wide(v18);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = -C2_pm * factor2_mp;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_pm * factor2_mp;
-    const wide q2__pp = atan2_wide(s2_pp, c2_pp);
-    const wide q2__pm = atan2_wide(s2_pm, c2_pm);
-    const wide q2__mp = atan2_wide(s2_mp, c2_mp);
-    const wide q2__mm = atan2_wide(s2_pp, -c2_pp);
+    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1______ = atan2_wide(S2_pm, -C2_pm);
+    const wide angle1_______ = atan2_wide(S2_pp, -C2_pp);
 
     /* is the pose one that the arm can take? */
-    const wide v14 = c1 * c234;
-    const wide v15 = c3 * c2_pp - s3 * s2_pp;
-    const wide v16 = v8 + a2 * c2_pp;
-    const wide v17 = a3 * v15 + v16;
-    const wide v18 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v8 + a2 * c2_pm);
-    const wide v19 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v8);
-    const wide v20 = a3 * -v15 - v16;
-    const wide v21 = s1 * c234;
-    const wide v22 = d1 + v7;
-    const wide v23 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v2
-        * v5) <= pose_slack) & ((abs_wide(T31 - v2 * v4) <= pose_slack) & ((abs_wide(T23 - s1 * v2)
-        <= pose_slack) & ((abs_wide(T22 - (v5 * v21 - c1 * v4)) <= pose_slack) & ((abs_wide(T21 +
-        (v4 * v21 + c1 * v5)) <= pose_slack) & ((abs_wide(T13 - c1 * v2) <= pose_slack) &
-        ((abs_wide(T11 - (s1 * v5 - v4 * v14)) <= pose_slack) & (abs_wide(T12 - (s1 * v4 + v5 *
-        v14)) <= pose_slack)))))))), all_wide(0.0), all_wide(-1.0)));
-    const wide_mask v24 = abs_wide(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v22 + a2 * s2_pp))) <=
+    const wide v19 = c1 * c234;
+    const wide v20 = c3 * c2_pp - s3 * s2_pp;
+    const wide v21 = v9 + a2 * c2_pp;
+    const wide v22 = a3 * v20 + v21;
+    const wide v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm);
+    const wide v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9);
+    const wide v25 = a3 * -v20 - v21;
+    const wide v26 = s1 * c234;
+    const wide v27 = d1 + v8;
+    const double v28 = sqrt(-1.0);
+    const wide v29 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
+        pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
+        pose_slack) & ((abs_wide(T22 - (v7 * v26 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
+        v26 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
+        (s1 * v7 - v6 * v19)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v19)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v28));
+    const wide_mask v30 = abs_wide(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <=
         pose_slack1;
-    const wide v25 = sqrt_wide(pick_wide(v24 & ((abs_wide(T14 - c1 * v17) <= pose_slack1) &
-        (abs_wide(T24 - s1 * v17) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v26 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v22 + a2
-        * s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v18) <= pose_slack1) & (abs_wide(T24 - s1
-        * v18) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v27 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v22 + a2
-        * s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v19) <= pose_slack1) & (abs_wide(T24 + s1
-        * v19) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v28 = sqrt_wide(pick_wide(v24 & ((abs_wide(T14 + c1 * v20) <= pose_slack1) &
-        (abs_wide(T24 + s1 * v20) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v31 = pick_wide(v30 & ((abs_wide(T14 - c1 * v22) <= pose_slack1) & (abs_wide(T24 - s1
+        * v22) <= pose_slack1)), all_wide(0.0), all_wide(v28));
+    const wide v32 = pick_wide((abs_wide(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 *
+        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v23) <= pose_slack1) & (abs_wide(T24 - s1 *
+        v23) <= pose_slack1)), all_wide(0.0), all_wide(v28));
+    const wide v33 = pick_wide((abs_wide(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 *
+        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v24) <= pose_slack1) & (abs_wide(T24 + s1 *
+        v24) <= pose_slack1)), all_wide(0.0), all_wide(v28));
+    const wide v34 = pick_wide(v30 & ((abs_wide(T14 + c1 * v25) <= pose_slack1) & (abs_wide(T24 + s1
+        * v25) <= pose_slack1)), all_wide(0.0), all_wide(v28));
 
     /* joint values */
-    const wide v29 = theta234 - (q3_ + q2__pp) - offset4;
-    const wide v30 = theta234 - (q2__pm - q3_) - offset4;
-    const wide v31 = offset4 + (theta234 + (q3_ + q2__mp));
-    const wide v32 = offset4 + (theta234 + (q2__mm - q3_));
-    const wide v33 = v29 - pick_wide(half_turn < v29, all_wide(m2), all_wide(0.0)) + pick_wide(v29
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v34 = v30 - pick_wide(half_turn < v30, all_wide(m2), all_wide(0.0)) + pick_wide(v30
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v35 = pick_wide(-v31 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v31 +
-        pick_wide(half_turn < -v31, all_wide(m2), all_wide(0.0)));
-    const wide v36 = pick_wide(-v32 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v32 +
-        pick_wide(half_turn < -v32, all_wide(m2), all_wide(0.0)));
-    const wide v37 = w3 - w3;
-    const wide v38 = v23 - v23;
-    const wide v39 = v38 + (v1 + v37);
-    const wide v40 = v38 + (v37 + (v1 - copysign_wide(all_wide(half_turn), s1) * h1));
-    const wide v41 = v25 - v25;
-    const wide v42 = v26 - v26;
-    const wide v43 = v27 - v27;
-    const wide v44 = v28 - v28;
-    const wide q1_pp = v39 + v41;
-    const wide q1_pm = v39 + v42;
-    const wide q1_mp = v40 + v43;
-    const wide q1_mm = v40 + v44;
-    const wide q2_pp = v41 + (q2__pp + v38);
-    const wide q2_pm = v42 + (q2__pm + v38);
-    const wide q2_mp = v43 + (q2__mp + v38);
-    const wide q2_mm = v44 + (q2__mm + v38);
-    const wide v45 = q3_ + v38;
-    const wide v46 = v38 - q3_;
-    const wide q3_pp = v41 + v45;
-    const wide q3_pm = v42 + v46;
-    const wide q3_mp = v43 + v45;
-    const wide q3_mm = v44 + v46;
-    const wide q4_pp = v41 + (v38 + (v33 - pick_wide(half_turn < v33, all_wide(m2),
+    const wide v35 = angle1_ - (angle1___ + angle1____) - offset4;
+    const wide v36 = angle1_ - (angle1_____ - angle1___) - offset4;
+    const wide v37 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v38 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v39 = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0)) + pick_wide(v35
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v40 = v36 - pick_wide(half_turn < v36, all_wide(m5), all_wide(0.0)) + pick_wide(v36
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v41 = pick_wide(-v37 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v37 +
+        pick_wide(half_turn < -v37, all_wide(m5), all_wide(0.0)));
+    const wide v42 = pick_wide(-v38 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v38 +
+        pick_wide(half_turn < -v38, all_wide(m5), all_wide(0.0)));
+    const wide v43 = v29 + (angle1 + v10);
+    const wide v44 = v29 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v31 + v43;
+    const wide q1_pm = v32 + v43;
+    const wide q1_mp = v33 + v44;
+    const wide q1_mm = v34 + v44;
+    const wide q2_pp = v31 + (angle1____ + v29);
+    const wide q2_pm = v32 + (angle1_____ + v29);
+    const wide q2_mp = v33 + (angle1______ + v29);
+    const wide q2_mm = v34 + (angle1_______ + v29);
+    const wide v45 = angle1___ + v29;
+    const wide v46 = v29 - angle1___;
+    const wide q3_pp = v31 + v45;
+    const wide q3_pm = v32 + v46;
+    const wide q3_mp = v33 + v45;
+    const wide q3_mm = v34 + v46;
+    const wide q4_pp = v31 + (v29 + (v39 - pick_wide(half_turn < v39, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_pm = v42 + (v38 + (v34 - pick_wide(half_turn < v34, all_wide(m2),
+    const wide q4_pm = v32 + (v29 + (v40 - pick_wide(half_turn < v40, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mp = v43 + (v38 + (v35 - pick_wide(half_turn < v35, all_wide(m2),
+    const wide q4_mp = v33 + (v29 + (v41 - pick_wide(half_turn < v41, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mm = v44 + (v38 + (v36 - pick_wide(half_turn < v36, all_wide(m2),
+    const wide q4_mm = v34 + (v29 + (v42 - pick_wide(half_turn < v42, all_wide(m5),
         all_wide(0.0))));
-    const wide v47 = v38 + (v6 + v37);
-    const wide v48 = v38 + (v37 + (v6 - h1 * copysign_wide(all_wide(half_turn), -v5)));
-    const wide q5_pp = v41 + v47;
-    const wide q5_pm = v42 + v47;
-    const wide q5_mp = v43 + v48;
-    const wide q5_mm = v44 + v48;
+    const wide v47 = v29 + (angle1__ + v10);
+    const wide v48 = v29 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
+    const wide q5_pp = v31 + v47;
+    const wide q5_pm = v32 + v47;
+    const wide q5_mp = v33 + v48;
+    const wide q5_mm = v34 + v48;
     const wide_mask doubt = (free2_mp | (free234 | free2_mp)) | ((free2_pm | (free234 | free2_pm)) |
         (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((w5 <= free_limit_squared) | (free234 | (w1 <= free_limit1)))) |
-        (free2_pp | (free234 | free2_pp))));
+        longest3_apart)) == 0)) | ((v4 <= m3) | (free234 | (v1 <= m1)))) | (free2_pp | (free234 |
+        free2_pp))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -635,7 +642,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
@@ -647,99 +654,102 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
-    const four v1 = atan2_four(all_four(s1), all_four(c1));
-    const double v2 = copysign(half_turn, s1);
-    const four v3 = m1 * (e1 - 1.0);
+    const double v2 = copysign(half_turn, T24);
+    const four v3 = m2 * (e1 - 1.0);
 
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
-    const double w234 = sqrt(T33 * T33 + Z2_234 * Z2_234);
-    const int free234 = w234 <= free_limit_squared;
-    const double factor234 = 1.0 / w234;
+    const double v4 = T33 * T33 + Z2_234 * Z2_234;
+    const int free234 = v4 <= m3;
+    const double factor234 = 1.0 / sqrt(v4);
     const double c234 = T33 * factor234;
-    const double v4 = Z2_234 * factor234;
-    const four theta234 = atan2_four(all_four(-v4), all_four(c234));
+    const double v5 = Z2_234 * factor234;
 
     /* theta5 */
     const double Z1_5 = s1 * T12 - c1 * T22;
     const double Z2_5 = s1 * T11 - c1 * T21;
-    const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-    const double v5 = 1.0 / w5;
-    const double v6 = Z1_5 * v5;
-    const double v7 = Z2_5 * v5;
-    const four v8 = atan2_four(all_four(-v7), all_four(-v6));
-    const double v9 = copysign(half_turn, -v7);
+    const double v6 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const double v7 = 1.0 / sqrt(v6);
+    const double v8 = Z1_5 * v7;
+    const double v9 = Z2_5 * v7;
+    const double v10 = copysign(half_turn, -Z2_5);
 
     /* theta3 */
-    const double v10 = d5 * c234;
-    const double Z1_3 = T34 - d1 - v10;
-    const double v11 = d5 * v4;
-    const double Z2_3 = w1 - v11;
+    const double v11 = d5 * c234;
+    const double Z1_3 = T34 - d1 - v11;
+    const double v12 = d5 * v5;
+    const double Z2_3 = w1 - v12;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const double K3 = N3 - k1;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v13 = w3 - w3;
     const double s3 = k2 * w3;
-    const double c3 = k2 * (N3 - k1);
-    const four q3_ = atan2_four(all_four(s3), all_four(c3));
+    const double c3 = k2 * K3;
 
     /* theta2 */
     const double X1_2 = a2 + a3 * c3;
     const double Y1_2 = a3 * s3;
-    const double v12 = Z1_3 * X1_2;
-    const double v13 = Z2_3 * Y1_2;
-    const four S2 = v12 - v13 * (e1 * e2);
-    const double v14 = Z2_3 * X1_2;
-    const double v15 = Z1_3 * Y1_2;
-    const four v16 = e1 * v14;
-    const four v17 = e2 * v15;
-    const four C2 = v16 + v17;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four_mask free2 = w2 <= free_limit_squared2;
-    const four factor2 = 1.0 / w2;
+    const double v14 = Z1_3 * X1_2;
+    const double v15 = Z2_3 * Y1_2;
+    const four S2 = v14 - v15 * (e1 * e2);
+    const double v16 = Z2_3 * X1_2;
+    const double v17 = Z1_3 * Y1_2;
+    const four v18 = e1 * v16;
+    const four v19 = e2 * v17;
+    const four C2 = v18 + v19;
+    const four v20 = S2 * S2 + C2 * C2;
+    const four_mask free2 = v20 <= m4;
+    const four factor2 = 1.0 / sqrt_four(v20);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
-    const four q2_ = atan2_four(s2, c2);
 
     /* is the pose one that the arm can take? */
-    const double v18 = c1 * c234;
-    const four v19 = e1 * v11;
-    const four v20 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v19 + a2 * c2);
-    const double v21 = s1 * c234;
-    const double v22 = d1 + v10;
-    const double v23 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v4 * v7) <= pose_slack)
-        & ((fabs(T31 - v4 * v6) <= pose_slack) & ((fabs(T23 - s1 * v4) <= pose_slack) & ((fabs(T22 -
-        (v7 * v21 - c1 * v6)) <= pose_slack) & ((fabs(T21 + (v6 * v21 + c1 * v7)) <= pose_slack) &
-        ((fabs(T13 - c1 * v4) <= pose_slack) & ((fabs(T11 - (s1 * v7 - v6 * v18)) <= pose_slack) &
-        (fabs(T12 - (s1 * v6 + v7 * v18)) <= pose_slack))))))))) ? 0.0 : (-1.0));
-    const four v24 = sqrt_four(pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v22 +
-        a2 * s2))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v20)) <= pose_slack1) &
-        (abs_four(T24 - e1 * (s1 * v20)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+    const double v21 = c1 * c234;
+    const four v22 = e1 * v12;
+    const four v23 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v22 + a2 * c2);
+    const double v24 = s1 * c234;
+    const double v25 = d1 + v11;
+    const double v26 = sqrt(-1.0);
+    const double v27 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v5 * v9) <= pose_slack) &
+        ((fabs(T31 - v5 * v8) <= pose_slack) & ((fabs(T23 - s1 * v5) <= pose_slack) & ((fabs(T22 -
+        (v9 * v24 - c1 * v8)) <= pose_slack) & ((fabs(T21 + (v8 * v24 + c1 * v9)) <= pose_slack) &
+        ((fabs(T13 - c1 * v5) <= pose_slack) & ((fabs(T11 - (s1 * v9 - v8 * v21)) <= pose_slack) &
+        (fabs(T12 - (s1 * v8 + v9 * v21)) <= pose_slack))))))))) ? 0.0 : v26;
+    const four v28 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v25 + a2 * s2)))
+        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
+        (s1 * v23)) <= pose_slack1)), all_four(0.0), all_four(v26));
 
     /* joint values */
-    const four v25 = e2 * q3_;
-    const four v26 = e1 * theta234;
-    const four v27 = v26 - (q2_ + v25) - offset4;
-    const four v28 = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const double v29 = w3 - w3;
-    const double v30 = v23 - v23;
-    const four v31 = v30 + (v29 + (v1 + v2 * v3));
-    const four v32 = v24 - v24;
-    const four q1 = v31 + v32;
-    const four q2 = v32 + (q2_ + v30);
-    const four v33 = v25 + v30;
-    const four q3 = v32 + v33;
-    const four q4 = v32 + (v30 + (v28 - pick_four(half_turn < v28, all_four(m2), all_four(0.0))));
-    const four v34 = v30 + (v29 + (v8 + v3 * v9));
-    const four q5 = v32 + v34;
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((w5 <= free_limit_squared) | (free234 | (w1 <=
-        free_limit1)));
+        N3) & (N3 < longest3_apart)) == 0)) | ((v6 <= m3) | (free234 | (v1 <= m1)));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free2 | ((all_four(free234 ? 1.0
         : 0.0) > 0.0) | free2));
+
+    const four angle1____ = atan2_four(S2, C2);
+    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, K3
+        });
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v29 = e2 * angle1___;
+    const four v30 = e1 * angle1_;
+    const four v31 = v30 - (angle1____ + v29) - offset4;
+    const four v32 = v31 - pick_four(half_turn < v31, all_four(m5), all_four(0.0)) + pick_four(v31
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four v33 = v27 + (v13 + (angle1 + v2 * v3));
+    const four q1 = v28 + v33;
+    const four q2 = v28 + (angle1____ + v27);
+    const four v34 = v27 + v29;
+    const four q3 = v28 + v34;
+    const four q4 = v28 + (v27 + (v32 - pick_four(half_turn < v32, all_four(m5), all_four(0.0))));
+    const four v35 = v27 + (v13 + (angle1__ + v3 * v10));
+    const four q5 = v28 + v35;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

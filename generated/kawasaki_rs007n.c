@@ -43,8 +43,11 @@ static const double low3 = -2.705260341591211; /* lowest value of joint 3 */
 static const double high3 = 2.705260341591211; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.3642239999999997e-24; /* free_limit1^2 [m^2] */
+static const double m2 = 1.861107122175999e-48; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m4 */
 
 const char *const kawasaki_rs007n_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -303,25 +306,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -355,25 +360,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -388,25 +395,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -448,36 +457,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide X1 = d6 * T13 - T14;
     const wide wy = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(X1 * X1 + wy * wy);
+    const wide v1 = X1 * X1 + wy * wy;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = X1 * factor1;
+    const wide v2 = X1 * factor1;
     const wide s1 = wy * factor1;
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide s3 = k3 * (k1 * (N3 - k2));
-    const wide v2 = k3 * (k1 * w3);
+    const wide v3 = w3 - w3;
+    const wide v4 = k1 * (N3 - k2);
+    const wide s3 = k3 * v4;
+    const wide v5 = k1 * w3;
+    const wide v6 = k3 * v5;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3;
-    const wide X2_2 = d4 * v2;
-    const wide v3 = Z1_3 * X1_2;
-    const wide v4 = w1 * X2_2;
-    const wide S2_pp = v3 + v4;
-    const wide S2_pm = v3 - v4;
-    const wide v5 = w1 * X1_2;
-    const wide v6 = Z1_3 * X2_2;
-    const wide C2_pp = v5 - v6;
-    const wide C2_pm = v5 + v6;
-    const wide v7 = S2_pp * S2_pp;
-    const wide w2_pp = sqrt_wide(v7 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mm = sqrt_wide(v7 + -C2_pp * -C2_pp);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide X2_2 = d4 * v6;
+    const wide v7 = Z1_3 * X1_2;
+    const wide v8 = w1 * X2_2;
+    const wide S2_pp = v7 + v8;
+    const wide S2_pm = v7 - v8;
+    const wide v9 = w1 * X1_2;
+    const wide v10 = Z1_3 * X2_2;
+    const wide C2_pp = v9 - v10;
+    const wide C2_pm = v9 + v10;
+    const wide v11 = S2_pp * S2_pp;
+    const wide v12 = v11 + C2_pp * C2_pp;
+    const wide v13 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v14 = v11 + -C2_pp * -C2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v12);
+    const wide factor2_pm = 1.0 / sqrt_wide(v13);
+    const wide factor2_mm = 1.0 / sqrt_wide(v14);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mm = -C2_pp * factor2_mm;
@@ -486,149 +499,144 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s2_mm = S2_pp * factor2_mm;
 
     /* theta4 */
-    const wide c2m3_pp = s3 * s2_pp - v2 * c2_pp;
-    const wide c2m3_pm = s3 * s2_pm + v2 * c2_pm;
-    const wide c2m3_mm = s3 * s2_mm + v2 * c2_mm;
-    const wide v8 = s3 * c2_pp + v2 * s2_pp;
-    const wide v9 = s3 * c2_pm - v2 * s2_pm;
-    const wide v10 = s3 * c2_mm - v2 * s2_mm;
-    const wide v11 = T13 * v1 + T23 * s1;
-    const wide v12 = T33 * v8 - c2m3_pp * v11;
-    const wide v13 = c2m3_pm * v11;
-    const wide v14 = T33 * v9 - v13;
-    const wide v15 = v13 + T33 * -v9;
-    const wide v16 = T33 * v10 + c2m3_mm * v11;
-    const wide v17 = T13 * s1 - T23 * v1;
-    const wide v18 = v17 * v17;
-    const wide w4_pp = sqrt_wide(v18 + v12 * v12);
-    const wide w4_pm = sqrt_wide(v18 + v14 * v14);
-    const wide w4_mp = sqrt_wide(v18 + v15 * v15);
-    const wide w4_mm = sqrt_wide(v18 + v16 * v16);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide c4_pp = v12 * factor4_pp;
-    const wide c4_pm = v14 * factor4_pm;
-    const wide c4_mp = v15 * factor4_mp;
-    const wide c4_mm = v16 * factor4_mm;
-    const wide v19 = v17 * factor4_pp;
-    const wide v20 = v17 * factor4_pm;
-    const wide v21 = v17 * factor4_mp;
-    const wide v22 = v17 * factor4_mm;
+    const wide c2m3_pp = s3 * s2_pp - v6 * c2_pp;
+    const wide c2m3_pm = s3 * s2_pm + v6 * c2_pm;
+    const wide c2m3_mm = s3 * s2_mm + v6 * c2_mm;
+    const wide v15 = s3 * c2_pp + v6 * s2_pp;
+    const wide v16 = s3 * c2_pm - v6 * s2_pm;
+    const wide v17 = s3 * c2_mm - v6 * s2_mm;
+    const wide v18 = T13 * v2 + T23 * s1;
+    const wide c4_pp = T33 * v15 - c2m3_pp * v18;
+    const wide v19 = c2m3_pm * v18;
+    const wide c4_pm = T33 * v16 - v19;
+    const wide c4_mp = v19 + T33 * -v16;
+    const wide c4_mm = T33 * v17 + c2m3_mm * v18;
+    const wide v20 = T13 * s1 - T23 * v2;
+    const wide v21 = v20 * v20;
+    const wide v22 = v21 + c4_pp * c4_pp;
+    const wide v23 = v21 + c4_pm * c4_pm;
+    const wide v24 = v21 + c4_mp * c4_mp;
+    const wide v25 = v21 + c4_mm * c4_mm;
 
     /* theta6 */
-    const wide v23 = s1 * T12 - v1 * T22;
-    const wide v24 = v1 * T12 + s1 * T22;
-    const wide v25 = s1 * T11 - v1 * T21;
-    const wide v26 = v1 * T11 + s1 * T21;
+    const wide v26 = s1 * T12 - v2 * T22;
+    const wide v27 = v2 * T12 + s1 * T22;
+    const wide v28 = s1 * T11 - v2 * T21;
+    const wide v29 = v2 * T11 + s1 * T21;
 
     /* joint values */
-    const wide v27 = atan2_wide(s1, -v1);
-    const wide v28 = v27 - offset1;
-    const wide v29 = v27 - copysign_wide(all_wide(half_turn), s1) * h1 - offset1;
-    const wide v30 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v31 = atan2_wide(s2_pm, c2_pm) - offset2;
-    const wide v32 = atan2_wide(s2_pm, -c2_pm) - offset2;
-    const wide v33 = atan2_wide(s2_mm, c2_mm) - offset2;
-    const wide q2_ppp = v30 - pick_wide(half_turn < v30, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v31 - pick_wide(half_turn < v31, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v32 - pick_wide(half_turn < v32, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v33 - pick_wide(half_turn < v33, all_wide(m2), all_wide(0.0));
-    const wide v34 = atan2_wide(s3, -v2);
-    const wide v35 = v34 - offset3;
-    const wide v36 = h1 * copysign_wide(all_wide(half_turn), s3) - v34 - offset3;
-    const wide q3_ppp = v35 + pick_wide(v35 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_pmp = v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v37 = atan2_wide(-v19, c4_pp);
-    const wide v38 = atan2_wide(-v20, c4_pm);
-    const wide v39 = atan2_wide(v21, c4_mp);
-    const wide v40 = atan2_wide(v22, c4_mm);
-    const wide v41 = v37 - offset4;
-    const wide v42 = v37 - h1 * copysign_wide(all_wide(half_turn), -v19) - offset4;
-    const wide v43 = v38 - offset4;
-    const wide v44 = v38 - h1 * copysign_wide(all_wide(half_turn), -v20) - offset4;
-    const wide v45 = v39 - offset4;
-    const wide v46 = v39 - h1 * copysign_wide(all_wide(half_turn), v21) - offset4;
-    const wide v47 = v40 - offset4;
-    const wide v48 = v40 - h1 * copysign_wide(all_wide(half_turn), v22) - offset4;
-    const wide q4_ppp = v41 + pick_wide(v41 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_ppm = v42 + pick_wide(v42 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmp = v43 + pick_wide(v43 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmm = v44 + pick_wide(v44 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpp = v45 + pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpm = v46 + pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmm = v48 + pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v49 = atan2_wide(w4_pp, T33 * c2m3_pp + v8 * v11);
-    const wide v50 = T33 * c2m3_pm;
-    const wide v51 = atan2_wide(w4_pm, v50 + v9 * v11);
-    const wide v52 = atan2_wide(w4_mp, v50 - -v9 * v11);
-    const wide v53 = atan2_wide(w4_mm, T33 * c2m3_mm - v10 * v11);
-    const wide v54 = v49 - offset5;
-    const wide v55 = offset5 + v49;
-    const wide v56 = v51 - offset5;
-    const wide v57 = offset5 + v51;
-    const wide v58 = v52 - offset5;
-    const wide v59 = offset5 + v52;
-    const wide v60 = v53 - offset5;
-    const wide v61 = offset5 + v53;
-    const wide q5_ppp = v54 + pick_wide(v54 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v55 <= -half_turn, all_wide(m2), all_wide(0.0)) - v55;
-    const wide q5_pmp = v56 + pick_wide(v56 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v57 <= -half_turn, all_wide(m2), all_wide(0.0)) - v57;
-    const wide q5_mpp = v58 + pick_wide(v58 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v59 <= -half_turn, all_wide(m2), all_wide(0.0)) - v59;
-    const wide q5_mmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v61 <= -half_turn, all_wide(m2), all_wide(0.0)) - v61;
-    const wide v62 = c4_pp * v25 - v19 * (v8 * T31 - c2m3_pp * v26);
-    const wide v63 = c2m3_pm * v26;
-    const wide v64 = c4_pm * v25 - v20 * (v9 * T31 - v63);
-    const wide v65 = v21 * (v63 + -v9 * T31) - c4_mp * v25;
-    const wide v66 = v22 * (v10 * T31 + c2m3_mm * v26) - c4_mm * v25;
-    const wide v67 = atan2_wide(v62, c4_pp * v23 - v19 * (v8 * T32 - c2m3_pp * v24));
-    const wide v68 = c2m3_pm * v24;
-    const wide v69 = atan2_wide(v64, c4_pm * v23 - v20 * (v9 * T32 - v68));
-    const wide v70 = atan2_wide(v65, v21 * (v68 + -v9 * T32) - c4_mp * v23);
-    const wide v71 = atan2_wide(v66, v22 * (v10 * T32 + c2m3_mm * v24) - c4_mm * v23);
-    const wide v72 = v67 - offset6;
-    const wide v73 = v67 - h1 * copysign_wide(all_wide(half_turn), v62) - offset6;
-    const wide v74 = v69 - offset6;
-    const wide v75 = v69 - h1 * copysign_wide(all_wide(half_turn), v64) - offset6;
-    const wide v76 = v70 - offset6;
-    const wide v77 = v70 - h1 * copysign_wide(all_wide(half_turn), v65) - offset6;
-    const wide v78 = v71 - offset6;
-    const wide v79 = v71 - h1 * copysign_wide(all_wide(half_turn), v66) - offset6;
-    const wide q6_ppp = v72 + pick_wide(v72 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_ppm = v73 + pick_wide(v73 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_pmm = v75 + pick_wide(v75 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mpp = v76 + pick_wide(v76 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mpm = v77 + pick_wide(v77 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mmp = v78 + pick_wide(v78 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mmm = v79 + pick_wide(v79 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide_mask v80 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v81 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide v82 = w3 - w3;
-    const wide q1_ppp = v82 + (v28 - pick_wide(half_turn < v28, all_wide(m2), all_wide(0.0)));
-    const wide q1_mpp = v82 + (v29 - pick_wide(half_turn < v29, all_wide(m2), all_wide(0.0)));
-    const wide_mask v83 = v80 | ((q2_ppp < low2) | (high2 < q2_ppp));
-    const wide_mask v84 = v81 | ((q2_pmp < low2) | (high2 < q2_pmp));
-    const wide_mask v85 = v80 | ((q2_mpp < low2) | (high2 < q2_mpp));
-    const wide_mask v86 = v81 | ((q2_mmp < low2) | (high2 < q2_mmp));
-    const wide_mask outside_ppp = v83 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v83 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v84 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v84 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v85 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v85 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v86 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v86 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask v87 = w2_pm <= free_limit_squared2;
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | ((v87 |
-        (w4_mp <= free_limit)) | ((v87 | (w4_pm <= free_limit)) | (((w1 <= free_limit1) |
-        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0))) | ((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)))));
+    const wide angle1 = atan2_wide(wy, -X1);
+    const wide v30 = angle1 - offset1;
+    const wide v31 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1;
+    const wide angle1_ = atan2_wide(S2_pp, C2_pp);
+    const wide v32 = angle1_ - offset2;
+    const wide angle1__ = atan2_wide(S2_pm, C2_pm);
+    const wide v33 = angle1__ - offset2;
+    const wide angle1___ = atan2_wide(S2_pm, -C2_pm);
+    const wide v34 = angle1___ - offset2;
+    const wide angle1____ = atan2_wide(S2_pp, -C2_pp);
+    const wide v35 = angle1____ - offset2;
+    const wide q2_ppp = v32 - pick_wide(half_turn < v32, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v33 - pick_wide(half_turn < v33, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v34 - pick_wide(half_turn < v34, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0));
+    const wide angle1_____ = atan2_wide(v4, -v5);
+    const wide v36 = angle1_____ - offset3;
+    const wide v37 = h1 * copysign_wide(all_wide(half_turn), v4) - angle1_____ - offset3;
+    const wide q3_ppp = v36 + pick_wide(v36 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_pmp = v37 + pick_wide(v37 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1______ = atan2_wide(-v20, c4_pp);
+    const wide angle1_______ = atan2_wide(-v20, c4_pm);
+    const wide angle1________ = atan2_wide(v20, c4_mp);
+    const wide angle1_________ = atan2_wide(v20, c4_mm);
+    const wide v38 = h1 * copysign_wide(all_wide(half_turn), -v20);
+    const wide v39 = h1 * copysign_wide(all_wide(half_turn), v20);
+    const wide v40 = angle1______ - offset4;
+    const wide v41 = angle1______ - v38 - offset4;
+    const wide v42 = angle1_______ - offset4;
+    const wide v43 = angle1_______ - v38 - offset4;
+    const wide v44 = angle1________ - offset4;
+    const wide v45 = angle1________ - v39 - offset4;
+    const wide v46 = angle1_________ - offset4;
+    const wide v47 = angle1_________ - v39 - offset4;
+    const wide q4_ppp = v40 + pick_wide(v40 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_ppm = v41 + pick_wide(v41 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmp = v42 + pick_wide(v42 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmm = v43 + pick_wide(v43 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpp = v44 + pick_wide(v44 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpm = v45 + pick_wide(v45 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmp = v46 + pick_wide(v46 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmm = v47 + pick_wide(v47 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(sqrt_wide(v22), T33 * c2m3_pp + v15 * v18);
+    const wide v48 = T33 * c2m3_pm;
+    const wide angle1___________ = atan2_wide(sqrt_wide(v23), v48 + v16 * v18);
+    const wide angle1____________ = atan2_wide(sqrt_wide(v24), v48 - -v16 * v18);
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v25), T33 * c2m3_mm - v17 * v18);
+    const wide v49 = angle1__________ - offset5;
+    const wide v50 = offset5 + angle1__________;
+    const wide v51 = angle1___________ - offset5;
+    const wide v52 = offset5 + angle1___________;
+    const wide v53 = angle1____________ - offset5;
+    const wide v54 = offset5 + angle1____________;
+    const wide v55 = angle1_____________ - offset5;
+    const wide v56 = offset5 + angle1_____________;
+    const wide q5_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v50 <= -half_turn, all_wide(m5), all_wide(0.0)) - v50;
+    const wide q5_pmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v52 <= -half_turn, all_wide(m5), all_wide(0.0)) - v52;
+    const wide q5_mpp = v53 + pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v54 <= -half_turn, all_wide(m5), all_wide(0.0)) - v54;
+    const wide q5_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v56 <= -half_turn, all_wide(m5), all_wide(0.0)) - v56;
+    const wide v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29);
+    const wide v58 = c2m3_pm * v29;
+    const wide v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58);
+    const wide angle1______________ = atan2_wide(v57, c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp *
+        v27));
+    const wide v60 = c2m3_pm * v27;
+    const wide angle1_______________ = atan2_wide(v59, c4_pm * v26 + -v20 * (v16 * T32 - v60));
+    const wide angle1________________ = atan2_wide(-(c4_mp * v28 + -v20 * (v58 + -v16 * T31)),
+        -(c4_mp * v26 + -v20 * (v60 + -v16 * T32)));
+    const wide angle1_________________ = atan2_wide(-(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm *
+        v29)), -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27)));
+    const wide v61 = angle1______________ - offset6;
+    const wide v62 = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
+    const wide v63 = angle1_______________ - offset6;
+    const wide v64 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v59) - offset6;
+    const wide v65 = angle1________________ - offset6;
+    const wide v66 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_mp * v28
+        + -v20 * (v58 + -v16 * T31))) - offset6;
+    const wide v67 = angle1_________________ - offset6;
+    const wide v68 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_mm * v28
+        + -v20 * (v17 * T31 + c2m3_mm * v29))) - offset6;
+    const wide q6_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_ppm = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_pmm = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mpm = v66 + pick_wide(v66 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mmm = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide_mask v69 = (q3_ppp < low3) | (high3 < q3_ppp);
+    const wide_mask v70 = (q3_pmp < low3) | (high3 < q3_pmp);
+    const wide q1_ppp = v3 + (v30 - pick_wide(half_turn < v30, all_wide(m5), all_wide(0.0)));
+    const wide q1_mpp = v3 + (v31 - pick_wide(half_turn < v31, all_wide(m5), all_wide(0.0)));
+    const wide_mask v71 = v69 | ((q2_ppp < low2) | (high2 < q2_ppp));
+    const wide_mask v72 = v70 | ((q2_pmp < low2) | (high2 < q2_pmp));
+    const wide_mask v73 = v69 | ((q2_mpp < low2) | (high2 < q2_mpp));
+    const wide_mask v74 = v70 | ((q2_mmp < low2) | (high2 < q2_mmp));
+    const wide_mask outside_ppp = v71 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v71 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v72 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v72 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v73 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v73 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v74 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v74 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask v75 = v13 <= m2;
+    const wide_mask doubt = ((v14 <= m2) | (v25 <= m3)) | ((v75 | (v24 <= m3)) | ((v75 | (v23 <=
+        m3)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((v12 <= m2) | (v22 <= m3)))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -754,7 +762,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m4 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -768,88 +776,93 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double X1 = d6 * T13 - T14;
     const double wy = d6 * T23 - T24;
-    const double w1 = sqrt(X1 * X1 + wy * wy);
+    const double v1 = X1 * X1 + wy * wy;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = X1 * factor1;
+    const double v2 = X1 * factor1;
     const double s1 = wy * factor1;
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double s3 = k3 * (k1 * (N3 - k2));
-    const double v2 = k3 * (k1 * w3);
+    const double v3 = w3 - w3;
+    const double v4 = k1 * (N3 - k2);
+    const double s3 = k3 * v4;
+    const double v5 = k1 * w3;
+    const double v6 = k3 * v5;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3;
-    const double X2_2 = d4 * v2;
-    const double v3 = Z1_3 * X1_2;
-    const double v4 = w1 * X2_2;
-    const four S2 = v3 + v4 * (e1 * e2);
-    const double v5 = w1 * X1_2;
-    const double v6 = Z1_3 * X2_2;
-    const four v7 = e1 * v5;
-    const four v8 = e2 * v6;
-    const four C2 = v7 - v8;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const double X2_2 = d4 * v6;
+    const double v7 = Z1_3 * X1_2;
+    const double v8 = w1 * X2_2;
+    const four S2 = v7 + v8 * (e1 * e2);
+    const double v9 = w1 * X1_2;
+    const double v10 = Z1_3 * X2_2;
+    const four v11 = e1 * v9;
+    const four v12 = e2 * v10;
+    const four C2 = v11 - v12;
+    const four v13 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v13);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four c2m3 = s3 * s2 - e2 * (v2 * c2);
-    const four v9 = s3 * c2 + e2 * (v2 * s2);
-    const double v10 = T13 * v1 + T23 * s1;
-    const four v11 = T33 * v9 - e1 * (c2m3 * v10);
-    const double v12 = T13 * s1 - T23 * v1;
-    const double v13 = v12 * v12;
-    const four w4 = sqrt_four(v13 + v11 * v11);
-    const four factor4 = 1.0 / w4;
-    const four c4 = v11 * factor4;
-    const four v14 = v12 * factor4;
+    const four c2m3 = s3 * s2 - e2 * (v6 * c2);
+    const four v14 = s3 * c2 + e2 * (v6 * s2);
+    const double v15 = T13 * v2 + T23 * s1;
+    const four c4 = T33 * v14 - e1 * (c2m3 * v15);
+    const double v16 = T13 * s1 - T23 * v2;
+    const double v17 = v16 * v16;
+    const four v18 = v17 + c4 * c4;
 
     /* theta6 */
-    const double v15 = s1 * T12 - v1 * T22;
-    const double v16 = v1 * T12 + s1 * T22;
-    const double v17 = s1 * T11 - v1 * T21;
-    const double v18 = v1 * T11 + s1 * T21;
+    const double v19 = s1 * T12 - v2 * T22;
+    const double v20 = v2 * T12 + s1 * T22;
+    const double v21 = s1 * T11 - v2 * T21;
+    const double v22 = v2 * T11 + s1 * T21;
 
     /* joint values */
-    const four v19 = atan2_four(all_four(s1), all_four(-v1));
-    const double v20 = copysign(half_turn, s1);
-    const four v21 = v19 + v20 * (m1 * (e1 - 1.0)) - offset1;
-    const four v22 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
-    const four v23 = atan2_four(all_four(s3), all_four(-v2));
-    const double v24 = copysign(half_turn, s3);
-    const four v25 = e2 * v23 + v24 * (m1 * (1.0 - e2)) - offset3;
-    const four q3_p = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v26 = atan2_four(-(e1 * v14), c4);
-    const four v27 = v26 - offset4;
-    const four v28 = v26 - copysign_four(all_four(half_turn), -(e1 * v14)) * h1 - offset4;
-    const four q4_p = v27 + pick_four(v27 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q4_m = v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v29 = atan2_four(w4, T33 * c2m3 + e1 * (v9 * v10));
-    const four v30 = v29 - offset5;
-    const four v31 = offset5 + v29;
-    const four q5_p = v30 + pick_four(v30 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v31 <= -half_turn, all_four(m2), all_four(0.0)) - v31;
-    const four v32 = e1 * (c4 * v17 - v14 * (v9 * T31 - e1 * (c2m3 * v18)));
-    const four v33 = atan2_four(v32, e1 * (c4 * v15 - v14 * (v9 * T32 - e1 * (c2m3 * v16))));
-    const four v34 = v33 - offset6;
-    const four v35 = v33 - h1 * copysign_four(all_four(half_turn), v32) - offset6;
-    const four q6_p = v34 + pick_four(v34 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q6_m = v35 + pick_four(v35 <= -half_turn, all_four(m2), all_four(0.0));
-    const four_mask v36 = (q3_p < low3) | (high3 < q3_p);
-    const double v37 = w3 - w3;
-    const four q1_p = v37 + (v21 - pick_four(half_turn < v21, all_four(m2), all_four(0.0)));
-    const four_mask v38 = v36 | ((q2_p < low2) | (high2 < q2_p));
+    const double v23 = copysign(half_turn, wy);
+    const double v26 = copysign(half_turn, v4);
+    const four v28 = e1 * -v16;
+    const four v29 = copysign_four(all_four(half_turn), v28) * h1;
+    const four v34 = e1 * (c4 * v21 + -v16 * (v14 * T31 - e1 * (c2m3 * v22)));
+    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v13 <= m2) | (v18 <= m3));
+
+    const four angle1_ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(v28, c4);
+    const four angle1____ = atan2_four(sqrt_four(v18), T33 * c2m3 + e1 * (v14 * v15));
+    const four angle1_____ = atan2_four(v34, e1 * (c4 * v19 + -v16 * (v14 * T32 - e1 * (c2m3 *
+        v20))));
+    const four packed5 = atan2_four((four){ wy, v4, wy, wy }, (four){ -X1, -v5, -X1, -X1 });
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four v24 = angle1 + v23 * (m4 * (e1 - 1.0)) - offset1;
+    const four v25 = angle1_ - offset2;
+    const four q2_p = v25 - pick_four(half_turn < v25, all_four(m5), all_four(0.0));
+    const four v27 = e2 * angle1__ + v26 * (m4 * (1.0 - e2)) - offset3;
+    const four q3_p = v27 + pick_four(v27 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v30 = angle1___ - offset4;
+    const four v31 = angle1___ - v29 - offset4;
+    const four q4_p = v30 + pick_four(v30 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q4_m = v31 + pick_four(v31 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v32 = angle1____ - offset5;
+    const four v33 = offset5 + angle1____;
+    const four q5_p = v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v33 <= -half_turn, all_four(m5), all_four(0.0)) - v33;
+    const four v35 = angle1_____ - offset6;
+    const four v36 = angle1_____ - h1 * copysign_four(all_four(half_turn), v34) - offset6;
+    const four q6_p = v35 + pick_four(v35 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q6_m = v36 + pick_four(v36 <= -half_turn, all_four(m5), all_four(0.0));
+    const four_mask v37 = (q3_p < low3) | (high3 < q3_p);
+    const four q1_p = v3 + (v24 - pick_four(half_turn < v24, all_four(m5), all_four(0.0)));
+    const four_mask v38 = v37 | ((q2_p < low2) | (high2 < q2_p));
     const four_mask outside_p = v38 | ((q5_p < low5) | (high5 < q5_p));
     const four_mask outside_m = v38 | ((q5_m < low5) | (high5 < q5_m));
-    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -49,8 +49,10 @@ static const double low3 = 0.3316125568789226; /* lowest value of joint 3 */
 static const double high3 = 5.951572750300664; /* highest value of joint 3 */
 static const double low5 = 0.5235987745982988; /* lowest value of joint 5 */
 static const double high5 = 5.759586532581287; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 2.6285906351645505e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -307,25 +309,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -359,25 +363,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -392,25 +398,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -456,41 +464,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
+    const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = k1 * X1;
-    const wide v2 = k1 * wy;
-    const wide v3 = X1 * w1;
-    const wide c1_p = inverse1 * (v2 - v3);
-    const wide c1_m = inverse1 * (v2 + v3);
-    const wide v4 = wy * w1;
-    const wide s1_p = inverse1 * (v1 + v4);
-    const wide s1_m = inverse1 * (v1 - v4);
+    const wide v2 = k1 * X1;
+    const wide v3 = k1 * wy;
+    const wide v4 = X1 * w1;
+    const wide v5 = v3 - v4;
+    const wide v6 = v3 + v4;
+    const wide c1_p = inverse1 * v5;
+    const wide c1_m = inverse1 * v6;
+    const wide v7 = wy * w1;
+    const wide v8 = v2 + v7;
+    const wide v9 = v2 - v7;
+    const wide s1_p = inverse1 * v8;
+    const wide s1_m = inverse1 * v9;
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v5 = k7 * (k5 * (N3 - k6));
-    const wide c3 = k7 * (k5 * w3);
+    const wide v10 = w3 - w3;
+    const wide v11 = k5 * (N3 - k6);
+    const wide v12 = k7 * v11;
+    const wide v13 = k5 * w3;
+    const wide c3 = k7 * v13;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * v5;
+    const wide X1_2 = a2 + d4 * v12;
     const wide X2_2 = d4 * c3;
-    const wide v6 = Z1_3 * X1_2;
-    const wide v7 = w1 * X2_2;
-    const wide S2_pp = v6 + v7;
-    const wide S2_pm = v6 - v7;
-    const wide v8 = w1 * X1_2;
-    const wide v9 = Z1_3 * X2_2;
-    const wide C2_pp = v8 - v9;
-    const wide C2_pm = v8 + v9;
-    const wide v10 = S2_pp * S2_pp;
-    const wide w2_pp = sqrt_wide(v10 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mm = sqrt_wide(v10 + -C2_pp * -C2_pp);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v14 = Z1_3 * X1_2;
+    const wide v15 = w1 * X2_2;
+    const wide S2_pp = v14 + v15;
+    const wide S2_pm = v14 - v15;
+    const wide v16 = w1 * X1_2;
+    const wide v17 = Z1_3 * X2_2;
+    const wide C2_pp = v16 - v17;
+    const wide C2_pm = v16 + v17;
+    const wide v18 = S2_pp * S2_pp;
+    const wide v19 = v18 + C2_pp * C2_pp;
+    const wide v20 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v21 = v18 + -C2_pp * -C2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v19);
+    const wide factor2_pm = 1.0 / sqrt_wide(v20);
+    const wide factor2_mm = 1.0 / sqrt_wide(v21);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mm = -C2_pp * factor2_mm;
@@ -499,132 +515,139 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s2_mm = S2_pp * factor2_mm;
 
     /* theta4 */
-    const wide c2m3_pp = c3 * c2_pp - v5 * s2_pp;
-    const wide v11 = c3 * c2_pm + v5 * s2_pm;
-    const wide v12 = c3 * c2_mm + v5 * s2_mm;
-    const wide s2m3_pp = v5 * c2_pp + c3 * s2_pp;
-    const wide s2m3_pm = v5 * c2_pm - c3 * s2_pm;
-    const wide s2m3_mm = v5 * c2_mm - c3 * s2_mm;
-    const wide v13 = T13 * c1_p - T23 * s1_p;
-    const wide v14 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v13;
-    const wide X4_pm = T33 * s2m3_pm + v11 * v13;
-    const wide X4_mp = T33 * -s2m3_pm + v11 * v14;
-    const wide X4_mm = T33 * s2m3_mm + v12 * v14;
-    const wide v15 = T23 * c1_p + T13 * s1_p;
-    const wide v16 = T23 * c1_m + T13 * s1_m;
-    const wide v17 = v15 * v15;
-    const wide v18 = v16 * v16;
-    const wide w4_pp = sqrt_wide(v17 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v17 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v18 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v18 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v19 = X4_pp * factor4_pp;
-    const wide v20 = X4_pm * factor4_pm;
-    const wide v21 = X4_mp * factor4_mp;
-    const wide v22 = X4_mm * factor4_mm;
-    const wide v23 = v15 * factor4_pp;
-    const wide v24 = v15 * factor4_pm;
-    const wide v25 = v16 * factor4_mp;
-    const wide v26 = v16 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v23, -v19);
-    const wide q4_pmp = atan2_wide(-v24, -v20);
-    const wide q4_mpp = atan2_wide(-v25, -v21);
-    const wide q4_mmp = atan2_wide(-v26, -v22);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v23) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v24) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v25) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v26) * h1;
+    const wide c2m3_pp = c3 * c2_pp - v12 * s2_pp;
+    const wide v22 = c3 * c2_pm + v12 * s2_pm;
+    const wide v23 = c3 * c2_mm + v12 * s2_mm;
+    const wide s2m3_pp = v12 * c2_pp + c3 * s2_pp;
+    const wide s2m3_pm = v12 * c2_pm - c3 * s2_pm;
+    const wide s2m3_mm = v12 * c2_mm - c3 * s2_mm;
+    const wide v24 = T13 * c1_p - T23 * s1_p;
+    const wide v25 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24;
+    const wide X4_pm = T33 * s2m3_pm + v22 * v24;
+    const wide X4_mp = T33 * -s2m3_pm + v22 * v25;
+    const wide X4_mm = T33 * s2m3_mm + v23 * v25;
+    const wide v26 = T23 * c1_p + T13 * s1_p;
+    const wide v27 = T23 * c1_m + T13 * s1_m;
+    const wide v28 = v26 * v26;
+    const wide v29 = v27 * v27;
+    const wide v30 = v28 + X4_pp * X4_pp;
+    const wide v31 = v28 + X4_pm * X4_pm;
+    const wide v32 = v29 + X4_mp * X4_mp;
+    const wide v33 = v29 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v26, -X4_pp);
+    const wide angle1_ = atan2_wide(-v26, -X4_pm);
+    const wide angle1__ = atan2_wide(-v27, -X4_mp);
+    const wide angle1___ = atan2_wide(-v27, -X4_mm);
+    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h1;
+    const wide v35 = copysign_wide(all_wide(half_turn), -v27) * h1;
+    const wide q4_ppm = angle1 - v34;
+    const wide q4_pmm = angle1_ - v34;
+    const wide q4_mpm = angle1__ - v35;
+    const wide q4_mmm = angle1___ - v35;
 
     /* theta5 */
-    const wide q5__pp = atan2_wide(-w4_pp, -(T33 * c2m3_pp + s2m3_pp * v13));
-    const wide v27 = T33 * v11;
-    const wide q5__pm = atan2_wide(-w4_pm, v27 - s2m3_pm * v13);
-    const wide q5__mp = atan2_wide(-w4_mp, v27 - -s2m3_pm * v14);
-    const wide q5__mm = atan2_wide(-w4_mm, T33 * v12 - s2m3_mm * v14);
+    const wide angle1____ = atan2_wide(-sqrt_wide(v30), -(T33 * c2m3_pp + s2m3_pp * v24));
+    const wide v36 = T33 * v22;
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v31), v36 - s2m3_pm * v24);
+    const wide angle1______ = atan2_wide(-sqrt_wide(v32), v36 - -s2m3_pm * v25);
+    const wide angle1_______ = atan2_wide(-sqrt_wide(v33), T33 * v23 - s2m3_mm * v25);
 
     /* theta6 */
-    const wide v28 = c1_p * T22 + s1_p * T12;
-    const wide v29 = c1_m * T22 + s1_m * T12;
-    const wide v30 = c1_p * T12 - s1_p * T22;
-    const wide v31 = c1_m * T12 - s1_m * T22;
-    const wide v32 = c1_p * T21 + s1_p * T11;
-    const wide v33 = c1_m * T21 + s1_m * T11;
-    const wide v34 = c1_p * T11 - s1_p * T21;
-    const wide v35 = c1_m * T11 - s1_m * T21;
+    const wide v37 = c1_p * T22 + s1_p * T12;
+    const wide v38 = c1_m * T22 + s1_m * T12;
+    const wide v39 = c1_p * T12 - s1_p * T22;
+    const wide v40 = c1_m * T12 - s1_m * T22;
+    const wide v41 = c1_p * T21 + s1_p * T11;
+    const wide v42 = c1_m * T21 + s1_m * T11;
+    const wide v43 = c1_p * T11 - s1_p * T21;
+    const wide v44 = c1_m * T11 - s1_m * T21;
+    const wide s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31);
+    const wide s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41;
+    const wide s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42;
+    const wide s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42;
 
     /* joint values */
-    const wide v36 = atan2_wide(s1_p, c1_p) - offset1;
-    const wide v37 = atan2_wide(s1_m, c1_m) - offset1;
-    const wide v38 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v39 = atan2_wide(s2_pm, c2_pm) - offset2;
-    const wide v40 = atan2_wide(s2_pm, -c2_pm) - offset2;
-    const wide v41 = atan2_wide(s2_mm, c2_mm) - offset2;
-    const wide q2__pp = v38 + pick_wide(v38 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2__pm = v39 + pick_wide(v39 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2__mp = v40 + pick_wide(v40 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2__mm = v41 + pick_wide(v41 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v42 = atan2_wide(-v5, c3);
-    const wide v43 = v42 - offset3;
-    const wide v44 = h1 * copysign_wide(all_wide(half_turn), -v5) - v42 - offset3;
-    const wide q3__p = v43 + pick_wide(v43 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3__m = v44 + pick_wide(v44 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v45 = atan2_wide(-(v19 * v32 + v23 * (c2m3_pp * v34 - s2m3_pp * T31)), v19 * v28 +
-        v23 * (c2m3_pp * v30 - s2m3_pp * T32));
-    const wide v46 = v24 * (v11 * v34 + s2m3_pm * T31) - v20 * v32;
-    const wide v47 = atan2_wide(v46, v20 * v28 - v24 * (v11 * v30 + s2m3_pm * T32));
-    const wide v48 = v25 * (v11 * v35 + -s2m3_pm * T31) - v21 * v33;
-    const wide v49 = atan2_wide(v48, v21 * v29 - v25 * (v11 * v31 + -s2m3_pm * T32));
-    const wide v50 = v26 * (v12 * v35 + s2m3_mm * T31) - v22 * v33;
-    const wide v51 = atan2_wide(v50, v22 * v29 - v26 * (v12 * v31 + s2m3_mm * T32));
-    const wide v52 = v45 - offset6;
-    const wide v53 = v45 - h1 * copysign_wide(all_wide(half_turn), -(v19 * v32 + v23 * (c2m3_pp *
-        v34 - s2m3_pp * T31))) - offset6;
-    const wide v54 = v47 - offset6;
-    const wide v55 = v47 - h1 * copysign_wide(all_wide(half_turn), v46) - offset6;
-    const wide v56 = v49 - offset6;
-    const wide v57 = v49 - h1 * copysign_wide(all_wide(half_turn), v48) - offset6;
-    const wide v58 = v51 - offset6;
-    const wide v59 = v51 - h1 * copysign_wide(all_wide(half_turn), v50) - offset6;
-    const wide q6_ppp = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0));
-    const wide q6_ppm = v53 - pick_wide(half_turn < v53, all_wide(m2), all_wide(0.0));
-    const wide q6_pmp = v54 - pick_wide(half_turn < v54, all_wide(m2), all_wide(0.0));
-    const wide q6_pmm = v55 - pick_wide(half_turn < v55, all_wide(m2), all_wide(0.0));
-    const wide q6_mpp = v56 - pick_wide(half_turn < v56, all_wide(m2), all_wide(0.0));
-    const wide q6_mpm = v57 - pick_wide(half_turn < v57, all_wide(m2), all_wide(0.0));
-    const wide q6_mmp = v58 - pick_wide(half_turn < v58, all_wide(m2), all_wide(0.0));
-    const wide q6_mmm = v59 - pick_wide(half_turn < v59, all_wide(m2), all_wide(0.0));
-    const wide v60 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v61 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v62 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v63 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v64 = (v60 < low2) | (high2 < v60);
+    const wide angle1________ = atan2_wide(v8, v5);
+    const wide v45 = angle1________ - offset1;
+    const wide angle1_________ = atan2_wide(v9, v6);
+    const wide v46 = angle1_________ - offset1;
+    const wide angle1__________ = atan2_wide(S2_pp, C2_pp);
+    const wide v47 = angle1__________ - offset2;
+    const wide angle1___________ = atan2_wide(S2_pm, C2_pm);
+    const wide v48 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(S2_pm, -C2_pm);
+    const wide v49 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(S2_pp, -C2_pp);
+    const wide v50 = angle1_____________ - offset2;
+    const wide q2__pp = v47 + pick_wide(v47 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2__pm = v48 + pick_wide(v48 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2__mp = v49 + pick_wide(v49 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2__mm = v50 + pick_wide(v50 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(-v11, v13);
+    const wide v51 = angle1______________ - offset3;
+    const wide v52 = h1 * copysign_wide(all_wide(half_turn), -v11) - angle1______________ - offset3;
+    const wide q3__p = v51 + pick_wide(v51 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q3__m = v52 + pick_wide(v52 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(s6_pp, v26 * (c2m3_pp * v39 - s2m3_pp * T32) -
+        -X4_pp * v37);
+    const wide angle1________________ = atan2_wide(s6_pm, X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm *
+        T32));
+    const wide angle1_________________ = atan2_wide(s6_mp, X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm
+        * T32));
+    const wide angle1__________________ = atan2_wide(s6_mm, X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm
+        * T32));
+    const wide v53 = angle1_______________ - offset6;
+    const wide v54 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
+        offset6;
+    const wide v55 = angle1________________ - offset6;
+    const wide v56 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
+        offset6;
+    const wide v57 = angle1_________________ - offset6;
+    const wide v58 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
+        offset6;
+    const wide v59 = angle1__________________ - offset6;
+    const wide v60 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
+        offset6;
+    const wide q6_ppp = v53 - pick_wide(half_turn < v53, all_wide(m4), all_wide(0.0));
+    const wide q6_ppm = v54 - pick_wide(half_turn < v54, all_wide(m4), all_wide(0.0));
+    const wide q6_pmp = v55 - pick_wide(half_turn < v55, all_wide(m4), all_wide(0.0));
+    const wide q6_pmm = v56 - pick_wide(half_turn < v56, all_wide(m4), all_wide(0.0));
+    const wide q6_mpp = v57 - pick_wide(half_turn < v57, all_wide(m4), all_wide(0.0));
+    const wide q6_mpm = v58 - pick_wide(half_turn < v58, all_wide(m4), all_wide(0.0));
+    const wide q6_mmp = v59 - pick_wide(half_turn < v59, all_wide(m4), all_wide(0.0));
+    const wide q6_mmm = v60 - pick_wide(half_turn < v60, all_wide(m4), all_wide(0.0));
+    const wide v61 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v62 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v63 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v64 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
     const wide_mask v65 = (v61 < low2) | (high2 < v61);
     const wide_mask v66 = (v62 < low2) | (high2 < v62);
     const wide_mask v67 = (v63 < low2) | (high2 < v63);
-    const wide q2_ppp = pick_wide(v64, q2__pp, v60);
-    const wide q2_pmp = pick_wide(v65, q2__pm, v61);
-    const wide q2_mpp = pick_wide(v66, q2__mp, v62);
-    const wide q2_mmp = pick_wide(v67, q2__mm, v63);
-    const wide v68 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v69 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v70 = (v68 < low3) | (high3 < v68);
+    const wide_mask v68 = (v64 < low2) | (high2 < v64);
+    const wide q2_ppp = pick_wide(v65, q2__pp, v61);
+    const wide q2_pmp = pick_wide(v66, q2__pm, v62);
+    const wide q2_mpp = pick_wide(v67, q2__mp, v63);
+    const wide q2_mmp = pick_wide(v68, q2__mm, v64);
+    const wide v69 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v70 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
     const wide_mask v71 = (v69 < low3) | (high3 < v69);
-    const wide q3_ppp = pick_wide(v70, q3__p, v68);
-    const wide q3_pmp = pick_wide(v71, q3__m, v69);
-    const wide v72 = q5__pp + pick_wide(q5__pp < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v73 = pick_wide(-q5__pp < low5, all_wide(whole_turn), all_wide(0.0)) - q5__pp;
-    const wide v74 = q5__pm + pick_wide(q5__pm < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v75 = pick_wide(-q5__pm < low5, all_wide(whole_turn), all_wide(0.0)) - q5__pm;
-    const wide v76 = q5__mp + pick_wide(q5__mp < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v77 = pick_wide(-q5__mp < low5, all_wide(whole_turn), all_wide(0.0)) - q5__mp;
-    const wide v78 = q5__mm + pick_wide(q5__mm < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v79 = pick_wide(-q5__mm < low5, all_wide(whole_turn), all_wide(0.0)) - q5__mm;
-    const wide_mask v80 = (v72 < low5) | (high5 < v72);
+    const wide_mask v72 = (v70 < low3) | (high3 < v70);
+    const wide v73 = angle1____ + pick_wide(angle1____ < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v74 = pick_wide(-angle1____ < low5, all_wide(whole_turn), all_wide(0.0)) -
+        angle1____;
+    const wide v75 = angle1_____ + pick_wide(angle1_____ < low5, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide v76 = pick_wide(-angle1_____ < low5, all_wide(whole_turn), all_wide(0.0)) -
+        angle1_____;
+    const wide v77 = angle1______ + pick_wide(angle1______ < low5, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide v78 = pick_wide(-angle1______ < low5, all_wide(whole_turn), all_wide(0.0)) -
+        angle1______;
+    const wide v79 = angle1_______ + pick_wide(angle1_______ < low5, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide v80 = pick_wide(-angle1_______ < low5, all_wide(whole_turn), all_wide(0.0)) -
+        angle1_______;
     const wide_mask v81 = (v73 < low5) | (high5 < v73);
     const wide_mask v82 = (v74 < low5) | (high5 < v74);
     const wide_mask v83 = (v75 < low5) | (high5 < v75);
@@ -632,40 +655,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v85 = (v77 < low5) | (high5 < v77);
     const wide_mask v86 = (v78 < low5) | (high5 < v78);
     const wide_mask v87 = (v79 < low5) | (high5 < v79);
-    const wide q5_ppp = pick_wide(v80, q5__pp, v72);
-    const wide q5_ppm = pick_wide(v81, -q5__pp, v73);
-    const wide q5_pmp = pick_wide(v82, q5__pm, v74);
-    const wide q5_pmm = pick_wide(v83, -q5__pm, v75);
-    const wide q5_mpp = pick_wide(v84, q5__mp, v76);
-    const wide q5_mpm = pick_wide(v85, -q5__mp, v77);
-    const wide q5_mmp = pick_wide(v86, q5__mm, v78);
-    const wide q5_mmm = pick_wide(v87, -q5__mm, v79);
-    const wide v88 = w3 - w3;
-    const wide q1_ppp = v88 + (v36 + pick_wide(v36 <= -half_turn, all_wide(m2), all_wide(0.0)));
-    const wide q1_mpp = v88 + (v37 + pick_wide(v37 <= -half_turn, all_wide(m2), all_wide(0.0)));
-    const wide_mask v89 = v64 | v70;
-    const wide_mask v90 = v65 | v71;
-    const wide_mask v91 = v66 | v70;
-    const wide_mask v92 = v67 | v71;
-    const wide_mask outside_ppp = v80 | v89;
-    const wide_mask outside_ppm = v81 | v89;
-    const wide_mask outside_pmp = v82 | v90;
-    const wide_mask outside_pmm = v83 | v90;
-    const wide_mask outside_mpp = v84 | v91;
-    const wide_mask outside_mpm = v85 | v91;
-    const wide_mask outside_mmp = v86 | v92;
-    const wide_mask outside_mmm = v87 | v92;
-    const wide_mask v93 = w2_pm <= free_limit_squared2;
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | ((v93 |
-        (w4_mp <= free_limit)) | ((v93 | (w4_pm <= free_limit)) | (((((shortest3_reach <= N3) & (N3
-        <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free1 |
-        ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) | ((w2_pp <= free_limit_squared2) | (w4_pp <=
-        free_limit)))));
+    const wide_mask v88 = (v80 < low5) | (high5 < v80);
+    const wide q5_ppp = pick_wide(v81, angle1____, v73);
+    const wide q5_ppm = pick_wide(v82, -angle1____, v74);
+    const wide q5_pmp = pick_wide(v83, angle1_____, v75);
+    const wide q5_pmm = pick_wide(v84, -angle1_____, v76);
+    const wide q5_mpp = pick_wide(v85, angle1______, v77);
+    const wide q5_mpm = pick_wide(v86, -angle1______, v78);
+    const wide q5_mmp = pick_wide(v87, angle1_______, v79);
+    const wide q5_mmm = pick_wide(v88, -angle1_______, v80);
+    const wide q1_ppp = v10 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q1_mpp = v10 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q3_ppp = v1 + pick_wide(v71, q3__p, v69);
+    const wide q3_pmp = v1 + pick_wide(v72, q3__m, v70);
+    const wide_mask v89 = v65 | v71;
+    const wide_mask v90 = v66 | v72;
+    const wide_mask v91 = v67 | v71;
+    const wide_mask v92 = v68 | v72;
+    const wide_mask outside_ppp = v81 | v89;
+    const wide_mask outside_ppm = v82 | v89;
+    const wide_mask outside_pmp = v83 | v90;
+    const wide_mask outside_pmm = v84 | v90;
+    const wide_mask outside_mpp = v85 | v91;
+    const wide_mask outside_mpm = v86 | v91;
+    const wide_mask outside_mmp = v87 | v92;
+    const wide_mask outside_mmm = v88 | v92;
+    const wide_mask v93 = v20 <= m1;
+    const wide_mask doubt = ((v21 <= m1) | (v33 <= m2)) | ((v93 | (v32 <= m2)) | ((v93 | (v31 <=
+        m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) &
+        (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) |
+        ((v19 <= m1) | (v30 <= m2)))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
@@ -679,7 +703,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[15] = angle1_;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
@@ -693,7 +717,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
+    q[27] = angle1__;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
@@ -707,7 +731,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
+    q[39] = angle1___;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
@@ -786,7 +810,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -804,103 +828,107 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
+    const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v1 = k1 * X1;
-    const double v2 = k1 * wy;
-    const double v3 = X1 * w1;
-    const four c1 = inverse1 * (v2 - e1 * v3);
-    const double v4 = wy * w1;
-    const four s1 = inverse1 * (v1 + e1 * v4);
+    const double v2 = k1 * X1;
+    const double v3 = k1 * wy;
+    const double v4 = X1 * w1;
+    const four v5 = v3 - e1 * v4;
+    const four c1 = inverse1 * v5;
+    const double v6 = wy * w1;
+    const four v7 = v2 + e1 * v6;
+    const four s1 = inverse1 * v7;
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = k7 * (k5 * (N3 - k6));
-    const double c3 = k7 * (k5 * w3);
+    const double v8 = w3 - w3;
+    const double v9 = k5 * (N3 - k6);
+    const double v10 = k7 * v9;
+    const double v11 = k5 * w3;
+    const double c3 = k7 * v11;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * v5;
+    const double X1_2 = a2 + d4 * v10;
     const double X2_2 = d4 * c3;
-    const double v6 = Z1_3 * X1_2;
-    const double v7 = w1 * X2_2;
-    const four S2 = v6 + v7 * (e1 * e2);
-    const double v8 = w1 * X1_2;
-    const double v9 = Z1_3 * X2_2;
-    const four v10 = e1 * v8;
-    const four v11 = e2 * v9;
-    const four C2 = v10 - v11;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const double v12 = Z1_3 * X1_2;
+    const double v13 = w1 * X2_2;
+    const four S2 = v12 + v13 * (e1 * e2);
+    const double v14 = w1 * X1_2;
+    const double v15 = Z1_3 * X2_2;
+    const four v16 = e1 * v14;
+    const four v17 = e2 * v15;
+    const four C2 = v16 - v17;
+    const four v18 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v18);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four c2m3 = e2 * (c3 * c2) - v5 * s2;
-    const four s2m3 = v5 * c2 + e2 * (c3 * s2);
-    const four v12 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v12;
-    const four v13 = T23 * c1 + T13 * s1;
-    const four v14 = v13 * v13;
-    const four w4 = sqrt_four(v14 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v15 = X4 * factor4;
-    const four v16 = v13 * factor4;
-    const four q4_p = atan2_four(-v16, -v15);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v16) * h1;
-
-    /* theta5 */
-    const four q5_ = atan2_four(-w4, -(T33 * c2m3 + s2m3 * v12));
+    const four c2m3 = e2 * (c3 * c2) - v10 * s2;
+    const four s2m3 = v10 * c2 + e2 * (c3 * s2);
+    const four v19 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v19;
+    const four v20 = T23 * c1 + T13 * s1;
+    const four v21 = v20 * v20;
+    const four v22 = v21 + X4 * X4;
+    const four v23 = copysign_four(all_four(half_turn), -v20) * h1;
 
     /* theta6 */
-    const four v17 = c1 * T22 + s1 * T12;
-    const four v18 = c1 * T12 - s1 * T22;
-    const four v19 = c1 * T21 + s1 * T11;
-    const four v20 = c1 * T11 - s1 * T21;
+    const four v24 = c1 * T22 + s1 * T12;
+    const four v25 = c1 * T12 - s1 * T22;
+    const four v26 = c1 * T21 + s1 * T11;
+    const four v27 = c1 * T11 - s1 * T21;
+    const four s6 = -X4 * v26 - v20 * (c2m3 * v27 - s2m3 * T31);
 
     /* joint values */
-    const four v21 = atan2_four(s1, c1) - offset1;
-    const four v22 = atan2_four(s2, c2) - offset2;
-    const four q2_ = v22 + pick_four(v22 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v23 = atan2_four(all_four(-v5), all_four(c3));
-    const double v24 = copysign(half_turn, -v5);
-    const four v25 = e2 * v23 + v24 * (m1 * (1.0 - e2)) - offset3;
-    const four q3_ = v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v26 = atan2_four(-(v15 * v19 + v16 * (c2m3 * v20 - s2m3 * T31)), v15 * v17 + v16 *
-        (c2m3 * v18 - s2m3 * T32));
-    const four v27 = v26 - offset6;
-    const four v28 = v26 - h1 * copysign_four(all_four(half_turn), -(v15 * v19 + v16 * (c2m3 * v20 -
-        s2m3 * T31))) - offset6;
-    const four q6_p = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0));
-    const four q6_m = v28 - pick_four(half_turn < v28, all_four(m2), all_four(0.0));
-    const four v29 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
-    const four_mask v30 = (v29 < low2) | (high2 < v29);
-    const four q2_p = pick_four(v30, q2_, v29);
-    const four v31 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
-    const four_mask v32 = (v31 < low3) | (high3 < v31);
-    const four q3_p = pick_four(v32, q3_, v31);
-    const four v33 = q5_ + pick_four(q5_ < low5, all_four(whole_turn), all_four(0.0));
-    const four v34 = pick_four(-q5_ < low5, all_four(whole_turn), all_four(0.0)) - q5_;
-    const four_mask v35 = (v33 < low5) | (high5 < v33);
-    const four_mask v36 = (v34 < low5) | (high5 < v34);
-    const four q5_p = pick_four(v35, q5_, v33);
-    const four q5_m = pick_four(v36, -q5_, v34);
-    const double v37 = w3 - w3;
-    const four q1_p = v37 + (v21 + pick_four(v21 <= -half_turn, all_four(m2), all_four(0.0)));
-    const four_mask v38 = v30 | v32;
-    const four_mask outside_p = v35 | v38;
-    const four_mask outside_m = v36 | v38;
+    const double v30 = copysign(half_turn, -v9);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v18 <= m1) | (v22 <= m2));
+
+    const four angle1 = atan2_four(-v20, -X4);
+    const four angle1_ = atan2_four(-sqrt_four(v22), -(T33 * c2m3 + s2m3 * v19));
+    const four angle1___ = atan2_four(S2, C2);
+    const four angle1_____ = atan2_four(s6, v20 * (c2m3 * v25 - s2m3 * T32) - -X4 * v24);
+    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(-v9), 0, 5, 2, 3),
+        __builtin_shufflevector(v5, all_four(v11), 0, 5, 2, 3));
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle1 - v23;
+    const four v28 = angle1__ - offset1;
+    const four v29 = angle1___ - offset2;
+    const four q2_ = v29 + pick_four(v29 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v31 = e2 * angle1____ + v30 * (m3 * (1.0 - e2)) - offset3;
+    const four q3_ = v31 + pick_four(v31 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v32 = angle1_____ - offset6;
+    const four v33 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v32 - pick_four(half_turn < v32, all_four(m4), all_four(0.0));
+    const four q6_m = v33 - pick_four(half_turn < v33, all_four(m4), all_four(0.0));
+    const four v34 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
+    const four_mask v35 = (v34 < low2) | (high2 < v34);
+    const four q2_p = pick_four(v35, q2_, v34);
+    const four v36 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
+    const four_mask v37 = (v36 < low3) | (high3 < v36);
+    const four v38 = angle1_ + pick_four(angle1_ < low5, all_four(whole_turn), all_four(0.0));
+    const four v39 = pick_four(-angle1_ < low5, all_four(whole_turn), all_four(0.0)) - angle1_;
+    const four_mask v40 = (v38 < low5) | (high5 < v38);
+    const four_mask v41 = (v39 < low5) | (high5 < v39);
+    const four q5_p = pick_four(v40, angle1_, v38);
+    const four q5_m = pick_four(v41, -angle1_, v39);
+    const four q1_p = v8 + (v28 + pick_four(v28 <= -half_turn, all_four(m4), all_four(0.0)));
+    const four q3_p = v1 + pick_four(v37, q3_, v36);
+    const four_mask v42 = v35 | v37;
+    const four_mask outside_p = v40 | v42;
+    const four_mask outside_m = v41 | v42;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);

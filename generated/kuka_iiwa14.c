@@ -47,8 +47,10 @@ static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
 static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
 static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
 static const double high7 = 3.054326191990077; /* highest value of joint 7 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 2.909194164496e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const kuka_iiwa14_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -337,25 +339,27 @@ HELPER four sin_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -403,25 +407,27 @@ HELPER wide sin_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -438,25 +444,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -507,293 +515,294 @@ HELPER wide_mask solve_wide(
     const wide D4 = k4 - Z4 * Z4;
     const wide v2 = 2.0 * abs_wide(Z4);
     const wide w4 = sqrt_wide(D4);
-    const wide v3 = k5 * (k1 * Z4);
-    const wide v4 = k5 * (k1 * w4);
+    const wide v3 = k1 * Z4;
+    const wide v4 = k5 * v3;
+    const wide v5 = k1 * w4;
+    const wide v6 = k5 * v5;
 
     /* theta1 */
-    const wide Z1 = d5 * (s3 * v4);
+    const wide Z1 = d5 * (s3 * v6);
     const wide N1 = v1 + -wx * -wx;
     const wide D1 = N1 - Z1 * Z1;
     const wide_mask free1 = N1 <= free_limit_squared2;
-    const wide v5 = 2.0 * abs_wide(Z1);
+    const wide v7 = 2.0 * abs_wide(Z1);
     const wide w1 = sqrt_wide(D1);
+    const wide v8 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v6 = Z1 * -wx;
-    const wide v7 = wy * Z1;
-    const wide v8 = -wx * w1;
-    const wide v9 = v7 - v8;
-    const wide c1_pp = inverse1 * v9;
-    const wide c1_pm = inverse1 * (v7 + v8);
-    const wide c1_mm = inverse1 * -v9;
-    const wide v10 = wy * w1;
-    const wide s1_pp = inverse1 * (v6 + v10);
-    const wide v11 = v6 - v10;
-    const wide s1_pm = inverse1 * v11;
-    const wide s1_mp = inverse1 * -v11;
+    const wide v9 = Z1 * -wx;
+    const wide v10 = wy * Z1;
+    const wide v11 = -wx * w1;
+    const wide v12 = v10 - v11;
+    const wide v13 = v10 + v11;
+    const wide c1_pp = inverse1 * v12;
+    const wide c1_pm = inverse1 * v13;
+    const wide c1_mm = inverse1 * -v12;
+    const wide v14 = wy * w1;
+    const wide v15 = v9 + v14;
+    const wide v16 = v9 - v14;
+    const wide s1_pp = inverse1 * v15;
+    const wide s1_pm = inverse1 * v16;
+    const wide s1_mp = inverse1 * -v16;
 
     /* theta2 */
-    const wide v12 = d5 * (c3 * v4);
-    const wide X2_2 = d3 + d5 * v3;
+    const wide v17 = d5 * (c3 * v6);
+    const wide X2_2 = d3 + d5 * v4;
     const wide Z1_2 = wz - d1;
-    const wide v13 = v12 * Z1_2;
-    const wide v14 = w1 * X2_2;
-    const wide S2_pp = v14 - v13;
-    const wide S2_mp = v13 + v14;
-    const wide v15 = X2_2 * Z1_2;
-    const wide v16 = w1 * v12;
-    const wide v17 = v15 + v16;
-    const wide v18 = v15 - v16;
-    const wide v19 = v17 * v17;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v19);
-    const wide w2_pm = sqrt_wide(S2_mp * S2_mp + v18 * v18);
-    const wide w2_mm = sqrt_wide(v19 + -S2_pp * -S2_pp);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v20 = v17 * factor2_pp;
-    const wide v21 = v18 * factor2_pm;
-    const wide v22 = v17 * factor2_mm;
+    const wide v18 = v17 * Z1_2;
+    const wide v19 = w1 * X2_2;
+    const wide S2_pp = v19 - v18;
+    const wide S2_mp = v18 + v19;
+    const wide v20 = X2_2 * Z1_2;
+    const wide v21 = w1 * v17;
+    const wide v22 = v20 + v21;
+    const wide v23 = v20 - v21;
+    const wide v24 = v22 * v22;
+    const wide v25 = S2_pp * S2_pp + v24;
+    const wide v26 = S2_mp * S2_mp + v23 * v23;
+    const wide v27 = v24 + -S2_pp * -S2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v25);
+    const wide factor2_pm = 1.0 / sqrt_wide(v26);
+    const wide factor2_mm = 1.0 / sqrt_wide(v27);
+    const wide v28 = v22 * factor2_pp;
+    const wide v29 = v23 * factor2_pm;
+    const wide v30 = v22 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_mp = S2_mp * factor2_pm;
     const wide s2_mm = -S2_pp * factor2_mm;
 
     /* theta5 */
-    const wide v23 = c3 * T13;
-    const wide v24 = v3 * v23;
-    const wide v25 = c3 * T23;
-    const wide v26 = v3 * v25;
-    const wide v27 = T33 * v4;
-    const wide v28 = T13 * v4;
-    const wide v29 = T23 * v4;
-    const wide v30 = c3 * T33;
-    const wide v31 = v3 * v30;
-    const wide v32 = T13 * s1_pp;
-    const wide v33 = v32 - T23 * c1_pp;
-    const wide v34 = T23 * c1_pm;
-    const wide v35 = T13 * s1_pm - v34;
-    const wide v36 = v34 + T13 * s1_mp;
-    const wide v37 = v32 + T23 * c1_mm;
-    const wide v38 = s3 * v33;
-    const wide v39 = s3 * v35;
-    const wide v40 = s3 * v36;
-    const wide v41 = s3 * v37;
-    const wide v42 = s1_pp * v26;
-    const wide v43 = s1_pp * v29;
-    const wide X5_pp = v3 * v38 + (v20 * (v27 - (c1_pp * v24 + v42)) + s2_pp * (v31 + (c1_pp * v28 +
-        v43)));
-    const wide v44 = c1_pm * v24;
-    const wide v45 = c1_pm * v28;
-    const wide X5_pm = v3 * v39 + (v21 * (v27 - (v44 + s1_pm * v26)) - s2_mp * (v31 + (v45 + s1_pm *
-        v29)));
-    const wide X5_mp = v3 * v40 + (s2_mp * (v31 + (v45 - s1_mp * v29)) - v21 * (v27 + (s1_mp * v26 -
-        v44)));
-    const wide X5_mm = s2_mm * (v31 + (v43 - c1_mm * v28)) - v22 * (v27 + (c1_mm * v24 - v42)) - v3
-        * v41;
-    const wide v46 = s3 * T33;
-    const wide v47 = T23 * s1_pp;
-    const wide Y5_pp = s2_pp * v46 - v20 * (s3 * (T13 * c1_pp + v47)) - c3 * v33;
-    const wide v48 = s2_mp * v46;
-    const wide v49 = T13 * c1_pm;
-    const wide v50 = v48 + v21 * (s3 * (v49 + T23 * s1_pm)) + c3 * v35;
-    const wide Y5_mp = v48 - v21 * (s3 * (T23 * s1_mp - v49)) - c3 * v36;
-    const wide Y5_mm = s2_mm * v46 - v22 * (s3 * (T13 * c1_mm - v47)) + c3 * v37;
-    const wide w5_pp = sqrt_wide(X5_pp * X5_pp + Y5_pp * Y5_pp);
-    const wide w5_pm = sqrt_wide(X5_pm * X5_pm + v50 * v50);
-    const wide w5_mp = sqrt_wide(X5_mp * X5_mp + Y5_mp * Y5_mp);
-    const wide w5_mm = sqrt_wide(X5_mm * X5_mm + Y5_mm * Y5_mm);
-    const wide factor5_pp = 1.0 / w5_pp;
-    const wide factor5_pm = 1.0 / w5_pm;
-    const wide factor5_mp = 1.0 / w5_mp;
-    const wide factor5_mm = 1.0 / w5_mm;
-    const wide v51 = X5_pp * factor5_pp;
-    const wide v52 = X5_pm * factor5_pm;
-    const wide v53 = X5_mp * factor5_mp;
-    const wide v54 = X5_mm * factor5_mm;
-    const wide s5_pp = Y5_pp * factor5_pp;
-    const wide v55 = v50 * factor5_pm;
-    const wide s5_mp = Y5_mp * factor5_mp;
-    const wide s5_mm = Y5_mm * factor5_mm;
-    const wide q5_ppp = atan2_wide(s5_pp, -v51);
-    const wide q5_pmp = atan2_wide(-v55, -v52);
-    const wide q5_mpp = atan2_wide(s5_mp, -v53);
-    const wide q5_mmp = atan2_wide(s5_mm, -v54);
-    const wide q5_ppm = q5_ppp - copysign_wide(all_wide(half_turn), s5_pp) * h1;
-    const wide q5_pmm = q5_pmp - copysign_wide(all_wide(half_turn), -v55) * h1;
-    const wide q5_mpm = q5_mpp - copysign_wide(all_wide(half_turn), s5_mp) * h1;
-    const wide q5_mmm = q5_mmp - copysign_wide(all_wide(half_turn), s5_mm) * h1;
+    const wide v31 = c3 * T13;
+    const wide v32 = v4 * v31;
+    const wide v33 = c3 * T23;
+    const wide v34 = v4 * v33;
+    const wide v35 = T33 * v6;
+    const wide v36 = T13 * v6;
+    const wide v37 = T23 * v6;
+    const wide v38 = c3 * T33;
+    const wide v39 = v4 * v38;
+    const wide v40 = T13 * s1_pp;
+    const wide v41 = v40 - T23 * c1_pp;
+    const wide v42 = T23 * c1_pm;
+    const wide v43 = T13 * s1_pm - v42;
+    const wide v44 = v42 + T13 * s1_mp;
+    const wide v45 = v40 + T23 * c1_mm;
+    const wide v46 = s3 * v41;
+    const wide v47 = s3 * v43;
+    const wide v48 = s3 * v44;
+    const wide v49 = s3 * v45;
+    const wide v50 = s1_pp * v34;
+    const wide v51 = s1_pp * v37;
+    const wide X5_pp = v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 +
+        v51)));
+    const wide v52 = c1_pm * v32;
+    const wide v53 = c1_pm * v36;
+    const wide X5_pm = v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm *
+        v37)));
+    const wide X5_mp = v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 -
+        v52)));
+    const wide X5_mm = s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4
+        * v49;
+    const wide v54 = s3 * T33;
+    const wide v55 = T23 * s1_pp;
+    const wide Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41;
+    const wide v56 = s2_mp * v54;
+    const wide v57 = T13 * c1_pm;
+    const wide v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43;
+    const wide Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44;
+    const wide Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45;
+    const wide v59 = X5_pp * X5_pp + Y5_pp * Y5_pp;
+    const wide v60 = X5_pm * X5_pm + v58 * v58;
+    const wide v61 = X5_mp * X5_mp + Y5_mp * Y5_mp;
+    const wide v62 = X5_mm * X5_mm + Y5_mm * Y5_mm;
+    const wide angle1 = atan2_wide(Y5_pp, -X5_pp);
+    const wide angle1_ = atan2_wide(-v58, -X5_pm);
+    const wide angle1__ = atan2_wide(Y5_mp, -X5_mp);
+    const wide angle1___ = atan2_wide(Y5_mm, -X5_mm);
+    const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
+    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v58) * h1;
+    const wide q5_mpm = angle1__ - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
+    const wide q5_mmm = angle1___ - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v56 = v4 * v23;
-    const wide v57 = v4 * v25;
-    const wide v58 = T33 * v3;
-    const wide v59 = T13 * v3;
-    const wide v60 = T23 * v3;
-    const wide v61 = v4 * v30;
+    const wide v63 = v6 * v31;
+    const wide v64 = v6 * v33;
+    const wide v65 = T33 * v4;
+    const wide v66 = T13 * v4;
+    const wide v67 = T23 * v4;
+    const wide v68 = v6 * v38;
 
     /* theta7 */
-    const wide v62 = s3 * T32;
-    const wide v63 = s1_pp * T12;
-    const wide v64 = v63 - c1_pp * T22;
-    const wide v65 = c1_pm * T22;
-    const wide v66 = s1_pm * T12 - v65;
-    const wide v67 = v65 + s1_mp * T12;
-    const wide v68 = v63 + c1_mm * T22;
-    const wide v69 = v3 * (c3 * T12);
-    const wide v70 = v3 * (c3 * T22);
-    const wide v71 = v4 * T32;
-    const wide v72 = v4 * T12;
-    const wide v73 = v4 * T22;
-    const wide v74 = v3 * (c3 * T32);
-    const wide v75 = s3 * T31;
-    const wide v76 = s1_pp * T11;
-    const wide v77 = v76 - c1_pp * T21;
-    const wide v78 = c1_pm * T21;
-    const wide v79 = s1_pm * T11 - v78;
-    const wide v80 = v78 + s1_mp * T11;
-    const wide v81 = v76 + c1_mm * T21;
-    const wide v82 = v3 * (c3 * T11);
-    const wide v83 = v3 * (c3 * T21);
-    const wide v84 = v4 * T31;
-    const wide v85 = v4 * T11;
-    const wide v86 = v4 * T21;
-    const wide v87 = v3 * (c3 * T31);
-    const wide v88 = s1_pp * T21;
-    const wide v89 = s1_pp * v83;
-    const wide v90 = s1_pp * v86;
-    const wide v91 = s1_pp * T22;
-    const wide v92 = s1_pp * v70;
-    const wide v93 = s1_pp * v73;
-    const wide q7_ppp = atan2_wide(-(v51 * (c3 * v77 - (s2_pp * v75 - v20 * (s3 * (c1_pp * T11 +
-        v88)))) + s5_pp * (v20 * (v84 - (c1_pp * v82 + v89)) + s2_pp * (v87 + (c1_pp * v85 + v90)) +
-        v3 * (s3 * v77))), -(v51 * (c3 * v64 - (s2_pp * v62 - v20 * (s3 * (c1_pp * T12 + v91)))) +
-        s5_pp * (v20 * (v71 - (c1_pp * v69 + v92)) + s2_pp * (v74 + (c1_pp * v72 + v93)) + v3 * (s3
-        * v64))));
-    const wide v94 = s2_mp * v75;
-    const wide v95 = c1_pm * T11;
-    const wide v96 = c1_pm * v82;
-    const wide v97 = c1_pm * v85;
-    const wide v98 = v55 * (v21 * (v84 - (v96 + s1_pm * v83)) - s2_mp * (v87 + (v97 + s1_pm * v86))
-        + v3 * (s3 * v79)) - v52 * (c3 * v79 + (v94 + v21 * (s3 * (v95 + s1_pm * T21))));
-    const wide v99 = s2_mp * v62;
-    const wide v100 = c1_pm * T12;
-    const wide v101 = c1_pm * v69;
-    const wide v102 = c1_pm * v72;
-    const wide q7_pmp = atan2_wide(v98, v55 * (v21 * (v71 - (v101 + s1_pm * v70)) - s2_mp * (v74 +
-        (v102 + s1_pm * v73)) + v3 * (s3 * v66)) - v52 * (c3 * v66 + (v99 + v21 * (s3 * (v100 +
-        s1_pm * T22)))));
-    const wide q7_mpp = atan2_wide(-(v53 * (c3 * v80 - (v94 - v21 * (s3 * (s1_mp * T21 - v95)))) +
-        s5_mp * (s2_mp * (v87 + (v97 - s1_mp * v86)) - v21 * (v84 + (s1_mp * v83 - v96)) + v3 * (s3
-        * v80))), -(v53 * (c3 * v67 - (v99 - v21 * (s3 * (s1_mp * T22 - v100)))) + s5_mp * (s2_mp *
-        (v74 + (v102 - s1_mp * v73)) - v21 * (v71 + (s1_mp * v70 - v101)) + v3 * (s3 * v67))));
-    const wide v103 = v54 * (c3 * v81 + (s2_mm * v75 - v22 * (s3 * (c1_mm * T11 - v88)))) - s5_mm *
-        (s2_mm * (v87 + (v90 - c1_mm * v85)) - v22 * (v84 + (c1_mm * v82 - v89)) - v3 * (s3 * v81));
-    const wide q7_mmp = atan2_wide(v103, v54 * (c3 * v68 + (s2_mm * v62 - v22 * (s3 * (c1_mm * T12 -
-        v91)))) - s5_mm * (s2_mm * (v74 + (v93 - c1_mm * v72)) - v22 * (v71 + (c1_mm * v69 - v92)) -
-        v3 * (s3 * v68)));
-    const wide q7_ppm = q7_ppp - h1 * copysign_wide(all_wide(half_turn), -(v51 * (c3 * v77 - (s2_pp
-        * v75 - v20 * (s3 * (c1_pp * T11 + v88)))) + s5_pp * (v20 * (v84 - (c1_pp * v82 + v89)) +
-        s2_pp * (v87 + (c1_pp * v85 + v90)) + v3 * (s3 * v77))));
-    const wide q7_pmm = q7_pmp - h1 * copysign_wide(all_wide(half_turn), v98);
-    const wide q7_mpm = q7_mpp - h1 * copysign_wide(all_wide(half_turn), -(v53 * (c3 * v80 - (v94 -
-        v21 * (s3 * (s1_mp * T21 - v95)))) + s5_mp * (s2_mp * (v87 + (v97 - s1_mp * v86)) - v21 *
-        (v84 + (s1_mp * v83 - v96)) + v3 * (s3 * v80))));
-    const wide q7_mmm = q7_mmp - h1 * copysign_wide(all_wide(half_turn), v103);
+    const wide v69 = s3 * T32;
+    const wide v70 = s1_pp * T12;
+    const wide v71 = v70 - c1_pp * T22;
+    const wide v72 = c1_pm * T22;
+    const wide v73 = s1_pm * T12 - v72;
+    const wide v74 = v72 + s1_mp * T12;
+    const wide v75 = v70 + c1_mm * T22;
+    const wide v76 = v4 * (c3 * T12);
+    const wide v77 = v4 * (c3 * T22);
+    const wide v78 = v6 * T32;
+    const wide v79 = v6 * T12;
+    const wide v80 = v6 * T22;
+    const wide v81 = v4 * (c3 * T32);
+    const wide v82 = s3 * T31;
+    const wide v83 = s1_pp * T11;
+    const wide v84 = v83 - c1_pp * T21;
+    const wide v85 = c1_pm * T21;
+    const wide v86 = s1_pm * T11 - v85;
+    const wide v87 = v85 + s1_mp * T11;
+    const wide v88 = v83 + c1_mm * T21;
+    const wide v89 = v4 * (c3 * T11);
+    const wide v90 = v4 * (c3 * T21);
+    const wide v91 = v6 * T31;
+    const wide v92 = v6 * T11;
+    const wide v93 = v6 * T21;
+    const wide v94 = v4 * (c3 * T31);
+    const wide v95 = s1_pp * T21;
+    const wide v96 = s1_pp * v90;
+    const wide v97 = s1_pp * v93;
+    const wide v98 = s1_pp * T22;
+    const wide v99 = s1_pp * v77;
+    const wide v100 = s1_pp * v80;
+    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11
+        + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97))
+        + v4 * (s3 * v84))), -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98))))
+        + Y5_pp * (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 *
+        (s3 * v71))));
+    const wide v101 = s2_mp * v82;
+    const wide v102 = c1_pm * T11;
+    const wide v103 = c1_pm * v89;
+    const wide v104 = c1_pm * v92;
+    const wide v105 = v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm *
+        v93)) + v4 * (s3 * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))));
+    const wide v106 = s2_mp * v69;
+    const wide v107 = c1_pm * T12;
+    const wide v108 = c1_pm * v76;
+    const wide v109 = c1_pm * v79;
+    const wide angle1_____ = atan2_wide(v105, v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp *
+        (v81 + (v109 + s1_pm * v80)) + v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 *
+        (v107 + s1_pm * T22)))));
+    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 -
+        v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 -
+        v103)) + v4 * (s3 * v87))), -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 -
+        v107)))) + Y5_mp * (s2_mp * (v81 + (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 -
+        v108)) + v4 * (s3 * v74))));
+    const wide v110 = X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm
+        * (s2_mm * (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3 *
+        v88));
+    const wide angle1_______ = atan2_wide(v110, X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 *
+        (c1_mm * T12 - v98)))) - Y5_mm * (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm
+        * v76 - v99)) - v4 * (s3 * v75)));
+    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v84 -
+        (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 +
+        v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 * v84))));
+    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v105);
+    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v87 -
+        (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93))
+        - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))));
+    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v110);
 
     /* joint values */
-    const wide v104 = atan2_wide(s1_pp, c1_pp) - offset1;
-    const wide v105 = atan2_wide(s1_pm, c1_pm) - offset1;
-    const wide v106 = atan2_wide(s1_mp, -c1_pm) - offset1;
-    const wide v107 = atan2_wide(-s1_pp, c1_mm) - offset1;
-    const wide q1_ppp = v104 + pick_wide(v104 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q1_pmp = v105 + pick_wide(v105 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q1_mpp = v106 + pick_wide(v106 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q1_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v108 = atan2_wide(s2_pp, -v20) - offset2;
-    const wide v109 = atan2_wide(-s2_mp, -v21) - offset2;
-    const wide v110 = atan2_wide(s2_mp, -v21) - offset2;
-    const wide v111 = atan2_wide(s2_mm, -v22) - offset2;
-    const wide q2_ppp = v108 + pick_wide(v108 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v109 + pick_wide(v109 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v110 + pick_wide(v110 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v111 + pick_wide(v111 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v112 = atan2_wide(-v4, -v3);
-    const wide v113 = v112 - offset4;
-    const wide v114 = offset4 + v112;
-    const wide q4__p = v113 + pick_wide(v113 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4__m = pick_wide(-v114 <= -half_turn, all_wide(m2), all_wide(0.0)) - v114;
-    const wide v115 = s1_pp * v60;
-    const wide v116 = s1_pp * v57;
-    const wide v117 = atan2_wide(w5_pp, v4 * v38 - (s2_pp * (c1_pp * v59 + v115 - v61) + v20 * (v58
-        + (c1_pp * v56 + v116))));
-    const wide v118 = c1_pm * v59;
-    const wide v119 = c1_pm * v56;
-    const wide v120 = atan2_wide(w5_pm, v4 * v39 - (v21 * (v58 + (v119 + s1_pm * v57)) - s2_mp *
-        (v118 + s1_pm * v60 - v61)));
-    const wide v121 = atan2_wide(w5_mp, -(v4 * v40 + (s2_mp * (v61 + (s1_mp * v60 - v118)) + v21 *
-        (v58 + (v119 - s1_mp * v57)))));
-    const wide v122 = atan2_wide(w5_mm, v4 * v41 - (s2_mm * (v61 + (c1_mm * v59 - v115)) + v22 *
-        (v58 + (v116 - c1_mm * v56))));
-    const wide v123 = v117 - offset6;
-    const wide v124 = offset6 + v117;
-    const wide v125 = v120 - offset6;
-    const wide v126 = offset6 + v120;
-    const wide v127 = v121 - offset6;
-    const wide v128 = offset6 + v121;
-    const wide v129 = v122 - offset6;
-    const wide v130 = offset6 + v122;
-    const wide q6_ppp = v123 + pick_wide(v123 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_ppm = pick_wide(-v124 <= -half_turn, all_wide(m2), all_wide(0.0)) - v124;
-    const wide q6_pmp = v125 + pick_wide(v125 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_pmm = pick_wide(-v126 <= -half_turn, all_wide(m2), all_wide(0.0)) - v126;
-    const wide q6_mpp = v127 + pick_wide(v127 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mpm = pick_wide(-v128 <= -half_turn, all_wide(m2), all_wide(0.0)) - v128;
-    const wide q6_mmp = v129 + pick_wide(v129 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mmm = pick_wide(-v130 <= -half_turn, all_wide(m2), all_wide(0.0)) - v130;
-    const wide_mask v131 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v132 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v133 = (q4__m < low4) | (high4 < q4__m);
-    const wide v134 = w1 - w1;
-    const wide q3_ppp = v134 + (free_joints[0] + (w4 - w4));
-    const wide q4_ppp = q4__p + v134;
-    const wide q4_mpp = q4__m + v134;
-    const wide_mask v135 = v132 | (v131 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+    const wide angle1________ = atan2_wide(v15, v12);
+    const wide v111 = angle1________ - offset1;
+    const wide angle1_________ = atan2_wide(v16, v13);
+    const wide v112 = angle1_________ - offset1;
+    const wide angle1__________ = atan2_wide(-v16, -v13);
+    const wide v113 = angle1__________ - offset1;
+    const wide angle1___________ = atan2_wide(-v15, -v12);
+    const wide v114 = angle1___________ - offset1;
+    const wide q1_ppp = v111 + pick_wide(v111 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_pmp = v112 + pick_wide(v112 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mpp = v113 + pick_wide(v113 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mmp = v114 + pick_wide(v114 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1____________ = atan2_wide(S2_pp, -v22);
+    const wide v115 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(-S2_mp, -v23);
+    const wide v116 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(S2_mp, -v23);
+    const wide v117 = angle1______________ - offset2;
+    const wide angle1_______________ = atan2_wide(-S2_pp, -v22);
+    const wide v118 = angle1_______________ - offset2;
+    const wide q2_ppp = v115 + pick_wide(v115 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_pmp = v116 + pick_wide(v116 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mpp = v117 + pick_wide(v117 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mmp = v118 + pick_wide(v118 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1________________ = atan2_wide(-v5, -v3);
+    const wide v119 = angle1________________ - offset4;
+    const wide v120 = offset4 + angle1________________;
+    const wide q4__p = v119 + pick_wide(v119 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4__m = pick_wide(-v120 <= -half_turn, all_wide(m4), all_wide(0.0)) - v120;
+    const wide v121 = s1_pp * v67;
+    const wide v122 = s1_pp * v64;
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v59), v6 * v46 - (s2_pp * (c1_pp * v66
+        + v121 - v68) + v28 * (v65 + (c1_pp * v63 + v122))));
+    const wide v123 = c1_pm * v66;
+    const wide v124 = c1_pm * v63;
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v60), v6 * v47 - (v29 * (v65 + (v124
+        + s1_pm * v64)) - s2_mp * (v123 + s1_pm * v67 - v68)));
+    const wide angle1___________________ = atan2_wide(sqrt_wide(v61), -(v6 * v48 + (s2_mp * (v68 +
+        (s1_mp * v67 - v123)) + v29 * (v65 + (v124 - s1_mp * v64)))));
+    const wide angle1____________________ = atan2_wide(sqrt_wide(v62), v6 * v49 - (s2_mm * (v68 +
+        (c1_mm * v66 - v121)) + v30 * (v65 + (v122 - c1_mm * v63))));
+    const wide v125 = angle1_________________ - offset6;
+    const wide v126 = offset6 + angle1_________________;
+    const wide v127 = angle1__________________ - offset6;
+    const wide v128 = offset6 + angle1__________________;
+    const wide v129 = angle1___________________ - offset6;
+    const wide v130 = offset6 + angle1___________________;
+    const wide v131 = angle1____________________ - offset6;
+    const wide v132 = offset6 + angle1____________________;
+    const wide q6_ppp = v125 + pick_wide(v125 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_ppm = pick_wide(-v126 <= -half_turn, all_wide(m4), all_wide(0.0)) - v126;
+    const wide q6_pmp = v127 + pick_wide(v127 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_pmm = pick_wide(-v128 <= -half_turn, all_wide(m4), all_wide(0.0)) - v128;
+    const wide q6_mpp = v129 + pick_wide(v129 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mpm = pick_wide(-v130 <= -half_turn, all_wide(m4), all_wide(0.0)) - v130;
+    const wide q6_mmp = v131 + pick_wide(v131 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mmm = pick_wide(-v132 <= -half_turn, all_wide(m4), all_wide(0.0)) - v132;
+    const wide_mask v133 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v134 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v135 = (q4__m < low4) | (high4 < q4__m);
+    const wide q3_ppp = v8 + (free_joints[0] + (w4 - w4));
+    const wide q4_ppp = v8 + q4__p;
+    const wide q4_mpp = v8 + q4__m;
+    const wide_mask v136 = v134 | (v133 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
         (high2 < q2_ppp))));
-    const wide_mask v136 = v132 | (v131 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+    const wide_mask v137 = v134 | (v133 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
         (high2 < q2_pmp))));
-    const wide_mask v137 = v133 | (v131 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+    const wide_mask v138 = v135 | (v133 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
         (high2 < q2_mpp))));
-    const wide_mask v138 = v133 | (v131 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+    const wide_mask v139 = v135 | (v133 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
-    const wide_mask outside_ppp = ((q7_ppp < low7) | (high7 < q7_ppp)) | (((q6_ppp < low6) | (high6
-        < q6_ppp)) | (v135 | ((q5_ppp < low5) | (high5 < q5_ppp))));
+    const wide_mask outside_ppp = ((angle1____ < low7) | (high7 < angle1____)) | (((q6_ppp < low6) |
+        (high6 < q6_ppp)) | (v136 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v135 | ((q5_ppm < low5) | (high5 < q5_ppm))));
-    const wide_mask outside_pmp = ((q7_pmp < low7) | (high7 < q7_pmp)) | (((q6_pmp < low6) | (high6
-        < q6_pmp)) | (v136 | ((q5_pmp < low5) | (high5 < q5_pmp))));
+        < q6_ppm)) | (v136 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+    const wide_mask outside_pmp = ((angle1_____ < low7) | (high7 < angle1_____)) | (((q6_pmp < low6)
+        | (high6 < q6_pmp)) | (v137 | ((angle1_ < low5) | (high5 < angle1_))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v136 | ((q5_pmm < low5) | (high5 < q5_pmm))));
-    const wide_mask outside_mpp = ((q7_mpp < low7) | (high7 < q7_mpp)) | (((q6_mpp < low6) | (high6
-        < q6_mpp)) | (v137 | ((q5_mpp < low5) | (high5 < q5_mpp))));
+        < q6_pmm)) | (v137 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+    const wide_mask outside_mpp = ((angle1______ < low7) | (high7 < angle1______)) | (((q6_mpp <
+        low6) | (high6 < q6_mpp)) | (v138 | ((angle1__ < low5) | (high5 < angle1__))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v137 | ((q5_mpm < low5) | (high5 < q5_mpm))));
-    const wide_mask outside_mmp = ((q7_mmp < low7) | (high7 < q7_mmp)) | (((q6_mmp < low6) | (high6
-        < q6_mmp)) | (v138 | ((q5_mmp < low5) | (high5 < q5_mmp))));
+        < q6_mpm)) | (v138 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+    const wide_mask outside_mmp = ((angle1_______ < low7) | (high7 < angle1_______)) | (((q6_mmp <
+        low6) | (high6 < q6_mmp)) | (v139 | ((angle1___ < low5) | (high5 < angle1___))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v138 | ((q5_mmm < low5) | (high5 < q5_mmm))));
-    const wide_mask v139 = w2_pm <= free_limit_squared2;
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w5_mm <= free_limit)) | ((v139 |
-        (w5_mp <= free_limit)) | ((v139 | (w5_pm <= free_limit)) | ((((-(reach_slack1 *
-        (reach_slack1 + v5)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v5) < D1) == 0))) |
-        (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 * (merge_slack2 +
-        v2) < D4) == 0)))) | ((w2_pp <= free_limit_squared2) | (w5_pp <= free_limit)))));
+        < q6_mmm)) | (v139 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+    const wide_mask v140 = v26 <= m1;
+    const wide_mask doubt = ((v27 <= m1) | (v62 <= m2)) | ((v140 | (v61 <= m2)) | ((v140 | (v60 <=
+        m2)) | ((((-(reach_slack1 * (reach_slack1 + v7)) <= D1) & (free1 | ((merge_slack1 *
+        (merge_slack1 + v7) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
+        & ((merge_slack2 * (merge_slack2 + v2) < D4) == 0)))) | ((v25 <= m1) | (v59 <= m2)))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
     q[3] = q4_ppp;
-    q[4] = q5_ppp;
+    q[4] = angle1;
     q[5] = q6_ppp;
-    q[6] = q7_ppp;
+    q[6] = angle1____;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[7] = q1_ppp;
     q[8] = q2_ppp;
@@ -807,9 +816,9 @@ HELPER wide_mask solve_wide(
     q[15] = q2_pmp;
     q[16] = q3_ppp;
     q[17] = q4_ppp;
-    q[18] = q5_pmp;
+    q[18] = angle1_;
     q[19] = q6_pmp;
-    q[20] = q7_pmp;
+    q[20] = angle1_____;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
     q[21] = q1_pmp;
     q[22] = q2_pmp;
@@ -823,9 +832,9 @@ HELPER wide_mask solve_wide(
     q[29] = q2_mpp;
     q[30] = q3_ppp;
     q[31] = q4_mpp;
-    q[32] = q5_mpp;
+    q[32] = angle1__;
     q[33] = q6_mpp;
-    q[34] = q7_mpp;
+    q[34] = angle1______;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
     q[35] = q1_mpp;
     q[36] = q2_mpp;
@@ -839,9 +848,9 @@ HELPER wide_mask solve_wide(
     q[43] = q2_mmp;
     q[44] = q3_ppp;
     q[45] = q4_mpp;
-    q[46] = q5_mmp;
+    q[46] = angle1___;
     q[47] = q6_mmp;
-    q[48] = q7_mmp;
+    q[48] = angle1_______;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
     q[49] = q1_mmp;
     q[50] = q2_mmp;
@@ -941,136 +950,140 @@ HELPER int solve_regular(
     const double D4 = k4 - Z4 * Z4;
     const double v2 = 2.0 * fabs(Z4);
     const double w4 = sqrt(D4);
-    const double v3 = k5 * (k1 * Z4);
-    const double v4 = k5 * (k1 * w4);
+    const double v3 = k1 * Z4;
+    const double v4 = k5 * v3;
+    const double v5 = k1 * w4;
+    const double v6 = k5 * v5;
 
     /* theta1 */
-    const double Z1 = d5 * (s3 * v4);
+    const double Z1 = d5 * (s3 * v6);
     const double N1 = v1 + -wx * -wx;
     const double D1 = N1 - Z1 * Z1;
     const int free1 = N1 <= free_limit_squared2;
-    const double v5 = 2.0 * fabs(Z1);
+    const double v7 = 2.0 * fabs(Z1);
     const double w1 = sqrt(D1);
+    const double v8 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v6 = Z1 * -wx;
-    const double v7 = wy * Z1;
-    const double v8 = -wx * w1;
-    const four v9 = e1 * v7;
-    const four v10 = e2 * v8;
-    const four c1 = inverse1 * (v9 - v10);
-    const double v11 = wy * w1;
-    const four v12 = e1 * v6;
+    const double v9 = Z1 * -wx;
+    const double v10 = wy * Z1;
+    const double v11 = -wx * w1;
+    const four v12 = e1 * v10;
     const four v13 = e2 * v11;
-    const four s1 = inverse1 * (v12 + v13);
+    const four v14 = v12 - v13;
+    const four c1 = inverse1 * v14;
+    const double v15 = wy * w1;
+    const four v16 = e1 * v9;
+    const four v17 = e2 * v15;
+    const four v18 = v16 + v17;
+    const four s1 = inverse1 * v18;
 
     /* theta2 */
-    const double v14 = d5 * (c3 * v4);
-    const double X2_2 = d3 + d5 * v3;
+    const double v19 = d5 * (c3 * v6);
+    const double X2_2 = d3 + d5 * v4;
     const double Z1_2 = wz - d1;
-    const double v15 = v14 * Z1_2;
-    const double v16 = w1 * X2_2;
-    const four v17 = e2 * v16;
-    const four v18 = e1 * v15;
-    const four S2 = v17 - v18;
-    const double v19 = X2_2 * Z1_2;
-    const double v20 = w1 * v14;
-    const four v21 = v19 + v20 * (e1 * e2);
-    const four w2 = sqrt_four(S2 * S2 + v21 * v21);
-    const four factor2 = 1.0 / w2;
-    const four v22 = v21 * factor2;
+    const double v20 = v19 * Z1_2;
+    const double v21 = w1 * X2_2;
+    const four v22 = e2 * v21;
+    const four v23 = e1 * v20;
+    const four S2 = v22 - v23;
+    const double v24 = X2_2 * Z1_2;
+    const double v25 = w1 * v19;
+    const four v26 = v24 + v25 * (e1 * e2);
+    const four v27 = S2 * S2 + v26 * v26;
+    const four factor2 = 1.0 / sqrt_four(v27);
+    const four v28 = v26 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta5 */
-    const double v23 = c3 * T13;
-    const double v24 = v3 * v23;
-    const double v25 = c3 * T23;
-    const double v26 = v3 * v25;
-    const double v27 = T33 * v4;
-    const double v28 = T13 * v4;
-    const double v29 = T23 * v4;
-    const double v30 = c3 * T33;
-    const double v31 = v3 * v30;
-    const four v32 = T13 * s1 - T23 * c1;
-    const four v33 = s3 * v32;
-    const four v34 = e1 * v27;
-    const four X5 = v3 * v33 + (v22 * (v34 - (c1 * v24 + s1 * v26)) + s2 * (v31 + e1 * (c1 * v28 +
-        s1 * v29)));
-    const double v35 = s3 * T33;
-    const four Y5 = s2 * v35 - v22 * (s3 * (T13 * c1 + T23 * s1)) - c3 * v32;
-    const four w5 = sqrt_four(X5 * X5 + Y5 * Y5);
-    const four factor5 = 1.0 / w5;
-    const four v36 = X5 * factor5;
-    const four s5 = Y5 * factor5;
-    const four q5_p = atan2_four(s5, -v36);
-    const four q5_m = q5_p - copysign_four(all_four(half_turn), s5) * h1;
+    const double v29 = c3 * T13;
+    const double v30 = v4 * v29;
+    const double v31 = c3 * T23;
+    const double v32 = v4 * v31;
+    const double v33 = T33 * v6;
+    const double v34 = T13 * v6;
+    const double v35 = T23 * v6;
+    const double v36 = c3 * T33;
+    const double v37 = v4 * v36;
+    const four v38 = T13 * s1 - T23 * c1;
+    const four v39 = s3 * v38;
+    const four v40 = e1 * v33;
+    const four X5 = v4 * v39 + (v28 * (v40 - (c1 * v30 + s1 * v32)) + s2 * (v37 + e1 * (c1 * v34 +
+        s1 * v35)));
+    const double v41 = s3 * T33;
+    const four Y5 = s2 * v41 - v28 * (s3 * (T13 * c1 + T23 * s1)) - c3 * v38;
+    const four v42 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v37 = v4 * v23;
-    const double v38 = v4 * v25;
-    const double v39 = T33 * v3;
-    const double v40 = T13 * v3;
-    const double v41 = T23 * v3;
-    const double v42 = v4 * v30;
-    const four v43 = e1 * v42;
+    const double v43 = v6 * v29;
+    const double v44 = v6 * v31;
+    const double v45 = T33 * v4;
+    const double v46 = T13 * v4;
+    const double v47 = T23 * v4;
+    const double v48 = v6 * v36;
+    const four v49 = e1 * v48;
 
     /* theta7 */
-    const double v44 = s3 * T32;
-    const four v45 = s1 * T12 - c1 * T22;
-    const double v46 = v3 * (c3 * T12);
-    const double v47 = v3 * (c3 * T22);
-    const double v48 = v4 * T32;
-    const double v49 = v4 * T12;
-    const double v50 = v4 * T22;
-    const double v51 = v3 * (c3 * T32);
-    const four v52 = e1 * v48;
-    const double v53 = s3 * T31;
-    const four v54 = s1 * T11 - c1 * T21;
-    const double v55 = v3 * (c3 * T11);
-    const double v56 = v3 * (c3 * T21);
-    const double v57 = v4 * T31;
-    const double v58 = v4 * T11;
-    const double v59 = v4 * T21;
-    const double v60 = v3 * (c3 * T31);
-    const four v61 = e1 * v57;
-    const four q7_p = atan2_four(-(v36 * (c3 * v54 - (s2 * v53 - v22 * (s3 * (c1 * T11 + s1 *
-        T21)))) + s5 * (v22 * (v61 - (c1 * v55 + s1 * v56)) + s2 * (v60 + e1 * (c1 * v58 + s1 *
-        v59)) + v3 * (s3 * v54))), -(v36 * (c3 * v45 - (s2 * v44 - v22 * (s3 * (c1 * T12 + s1 *
-        T22)))) + s5 * (v22 * (v52 - (c1 * v46 + s1 * v47)) + s2 * (v51 + e1 * (c1 * v49 + s1 *
-        v50)) + v3 * (s3 * v45))));
-    const four q7_m = q7_p - h1 * copysign_four(all_four(half_turn), -(v36 * (c3 * v54 - (s2 * v53 -
-        v22 * (s3 * (c1 * T11 + s1 * T21)))) + s5 * (v22 * (v61 - (c1 * v55 + s1 * v56)) + s2 * (v60
-        + e1 * (c1 * v58 + s1 * v59)) + v3 * (s3 * v54))));
+    const double v50 = s3 * T32;
+    const four v51 = s1 * T12 - c1 * T22;
+    const double v52 = v4 * (c3 * T12);
+    const double v53 = v4 * (c3 * T22);
+    const double v54 = v6 * T32;
+    const double v55 = v6 * T12;
+    const double v56 = v6 * T22;
+    const double v57 = v4 * (c3 * T32);
+    const four v58 = e1 * v54;
+    const double v59 = s3 * T31;
+    const four v60 = s1 * T11 - c1 * T21;
+    const double v61 = v4 * (c3 * T11);
+    const double v62 = v4 * (c3 * T21);
+    const double v63 = v6 * T31;
+    const double v64 = v6 * T11;
+    const double v65 = v6 * T21;
+    const double v66 = v4 * (c3 * T31);
+    const four v67 = e1 * v63;
 
     /* joint values */
-    const four v62 = atan2_four(s1, c1) - offset1;
-    const four q1_p = v62 + pick_four(v62 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v63 = atan2_four(s2, -v22) - offset2;
-    const four q2_p = v63 + pick_four(v63 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v64 = atan2_four(all_four(-v4), all_four(-v3));
-    const four v65 = e1 * v64 - offset4;
-    const four q4_ = v65 + pick_four(v65 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v66 = atan2_four(w5, e1 * (v4 * v33) - (s2 * (c1 * v40 + s1 * v41 - v43) + v22 * (v39
-        + e1 * (c1 * v37 + s1 * v38))));
-    const four v67 = v66 - offset6;
-    const four v68 = offset6 + v66;
-    const four q6_p = v67 + pick_four(v67 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q6_m = pick_four(-v68 <= -half_turn, all_four(m2), all_four(0.0)) - v68;
-    const int v69 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const four_mask v70 = (q4_ < low4) | (high4 < q4_);
-    const double v71 = w1 - w1;
-    const double q3_p = v71 + (free_joints[0] + (w4 - w4));
-    const four q4_p = q4_ + v71;
-    const four_mask v72 = v70 | ((all_four(v69 ? 1.0 : 0.0) > 0.0) | (((q1_p < low1) | (high1 <
-        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
-    const four_mask outside_p = ((q7_p < low7) | (high7 < q7_p)) | (((q6_p < low6) | (high6 < q6_p))
-        | (v72 | ((q5_p < low5) | (high5 < q5_p))));
-    const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
-        | (v72 | ((q5_m < low5) | (high5 < q5_m))));
-    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v5)) <= D1) & (free1 | ((merge_slack1 *
-        (merge_slack1 + v5) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
+    const int v73 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const double q3_p = v8 + (free_joints[0] + (w4 - w4));
+    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v7)) <= D1) & (free1 | ((merge_slack1 *
+        (merge_slack1 + v7) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
         & ((merge_slack2 * (merge_slack2 + v2) < D4) == 0)));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w5 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v27 <= m1) | (v42 <= m2));
+
+    const four angle1 = atan2_four(Y5, -X5);
+    const four angle1_ = atan2_four(-(X5 * (c3 * v60 - (s2 * v59 - v28 * (s3 * (c1 * T11 + s1 *
+        T21)))) + Y5 * (v28 * (v67 - (c1 * v61 + s1 * v62)) + s2 * (v66 + e1 * (c1 * v64 + s1 *
+        v65)) + v4 * (s3 * v60))), -(X5 * (c3 * v51 - (s2 * v50 - v28 * (s3 * (c1 * T12 + s1 *
+        T22)))) + Y5 * (v28 * (v58 - (c1 * v52 + s1 * v53)) + s2 * (v57 + e1 * (c1 * v55 + s1 *
+        v56)) + v4 * (s3 * v51))));
+    const four angle1__ = atan2_four(v18, v14);
+    const four angle1___ = atan2_four(S2, -v26);
+    const four angle1_____ = atan2_four(sqrt_four(v42), e1 * (v6 * v39) - (s2 * (c1 * v46 + s1 * v47
+        - v49) + v28 * (v45 + e1 * (c1 * v43 + s1 * v44))));
+    const four packed6 = atan2_four((four){ -v5, -v5, -v5, -v5 }, (four){ -v3, -v3, -v3, -v3 });
+    const four angle1____ = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+    const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
+    const four q7_m = angle1_ - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v60 - (s2 * v59
+        - v28 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v28 * (v67 - (c1 * v61 + s1 * v62)) + s2 *
+        (v66 + e1 * (c1 * v64 + s1 * v65)) + v4 * (s3 * v60))));
+    const four v68 = angle1__ - offset1;
+    const four q1_p = v68 + pick_four(v68 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v69 = angle1___ - offset2;
+    const four q2_p = v69 + pick_four(v69 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v70 = e1 * angle1____ - offset4;
+    const four q4_ = v70 + pick_four(v70 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v71 = angle1_____ - offset6;
+    const four v72 = offset6 + angle1_____;
+    const four q6_p = v71 + pick_four(v71 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q6_m = pick_four(-v72 <= -half_turn, all_four(m4), all_four(0.0)) - v72;
+    const four_mask v74 = (q4_ < low4) | (high4 < q4_);
+    const four q4_p = v8 + q4_;
+    const four_mask v75 = v74 | ((all_four(v73 ? 1.0 : 0.0) > 0.0) | (((q1_p < low1) | (high1 <
+        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
+    const four_mask outside_p = ((angle1_ < low7) | (high7 < angle1_)) | (((q6_p < low6) | (high6 <
+        q6_p)) | (v75 | ((angle1 < low5) | (high5 < angle1))));
+    const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
+        | (v75 | ((q5_m < low5) | (high5 < q5_m))));
 
     if (!(irregularity_double(T, free_joints) <= 1e-24))
         return -1;
@@ -1078,8 +1091,8 @@ HELPER int solve_regular(
         return -1;
     int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1, q6_p);
+    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle1_);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

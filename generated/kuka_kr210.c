@@ -35,8 +35,12 @@ static const double k2 = 0.135; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 3.815416; /* a2^2 + (d4^2 + a3^2) [m^2] */
 static const double k4 = 0.07101907039587806; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double turn1 = 1.6067807868769481; /* a constant angle [rad] */
+static const double m1 = 1.7698849e-23; /* free_limit1^2 [m^2] */
+static const double m3 = 3.132492559248009e-46; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_kr210_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -280,25 +284,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -332,25 +338,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -365,25 +373,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -425,11 +435,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide t14 = T14 - d7 * T13;
     const wide Y1 = d7 * T23 - T24;
-    const wide w1 = sqrt_wide(t14 * t14 + Y1 * Y1);
+    const wide v1 = t14 * t14 + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = t14 * factor1;
+    const wide v2 = t14 * factor1;
     const wide s1 = Y1 * factor1;
-    const wide v2 = atan2_wide(s1, -v1);
+    const wide angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
     const wide Z1_3 = T34 - d7 * T33 - d1;
@@ -458,40 +469,42 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v18 = k4 * (v14 + v16);
     const wide c3_mp = k4 * (v17 - v15);
     const wide v19 = k4 * (v15 + v17);
-    const wide q3_ppp = atan2_wide(-v10, c3_pp);
-    const wide q3_pmp = atan2_wide(-v11, -v18);
-    const wide q3_mpp = atan2_wide(-v12, c3_mp);
-    const wide q3_mmp = atan2_wide(-v13, -v19);
+    const wide angle1_ = atan2_wide(w3_p, K3_p);
+    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1_ - turn1;
+    const wide v20 = turn1 + angle1_;
+    const wide q3__mp = angle1__ - turn1;
+    const wide v21 = turn1 + angle1__;
 
     /* theta2 */
-    const wide v20 = d4 * c3_pp + a3 * v10;
-    const wide v21 = a3 * v11 - d4 * v18;
-    const wide v22 = d4 * c3_mp + a3 * v12;
-    const wide v23 = a3 * v13 - d4 * v19;
+    const wide v22 = d4 * c3_pp + a3 * v10;
+    const wide v23 = a3 * v11 - d4 * v18;
+    const wide v24 = d4 * c3_mp + a3 * v12;
+    const wide v25 = a3 * v13 - d4 * v19;
     const wide X2_2_pp = a3 * c3_pp - d4 * v10 - a2;
-    const wide v24 = a2 + (a3 * v18 + d4 * v11);
+    const wide v26 = a2 + (a3 * v18 + d4 * v11);
     const wide X2_2_mp = a3 * c3_mp - d4 * v12 - a2;
-    const wide v25 = a2 + (a3 * v19 + d4 * v13);
-    const wide S2_pp = v3 * v20 - Z1_3 * -X2_2_pp;
-    const wide S2_pm = v3 * v21 - Z1_3 * v24;
-    const wide S2_mp = v4 * v22 - Z1_3 * -X2_2_mp;
-    const wide S2_mm = v4 * v23 - Z1_3 * v25;
-    const wide C2_pp = v3 * X2_2_pp - Z1_3 * v20;
-    const wide v26 = v3 * v24 + Z1_3 * v21;
-    const wide C2_mp = v4 * X2_2_mp - Z1_3 * v22;
-    const wide v27 = v4 * v25 + Z1_3 * v23;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + v26 * v26);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v27 * v27);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v27 = a2 + (a3 * v19 + d4 * v13);
+    const wide S2_pp = v3 * v22 - Z1_3 * -X2_2_pp;
+    const wide S2_pm = v3 * v23 - Z1_3 * v26;
+    const wide S2_mp = v4 * v24 - Z1_3 * -X2_2_mp;
+    const wide S2_mm = v4 * v25 - Z1_3 * v27;
+    const wide C2_pp = v3 * X2_2_pp - Z1_3 * v22;
+    const wide v28 = v3 * v26 + Z1_3 * v23;
+    const wide C2_mp = v4 * X2_2_mp - Z1_3 * v24;
+    const wide v29 = v4 * v27 + Z1_3 * v25;
+    const wide v30 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v31 = S2_pm * S2_pm + v28 * v28;
+    const wide v32 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v33 = S2_mm * S2_mm + v29 * v29;
+    const wide factor2_pp = 1.0 / sqrt_wide(v30);
+    const wide factor2_pm = 1.0 / sqrt_wide(v31);
+    const wide factor2_mp = 1.0 / sqrt_wide(v32);
+    const wide factor2_mm = 1.0 / sqrt_wide(v33);
     const wide c2_pp = C2_pp * factor2_pp;
-    const wide v28 = v26 * factor2_pm;
+    const wide v34 = v28 * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
-    const wide v29 = v27 * factor2_mm;
+    const wide v35 = v29 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
@@ -499,141 +512,142 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta4 */
     const wide c23_pp = c3_pp * c2_pp + v10 * s2_pp;
-    const wide c23_pm = v18 * v28 + v11 * s2_pm;
+    const wide c23_pm = v18 * v34 + v11 * s2_pm;
     const wide c23_mp = c3_mp * c2_mp + v12 * s2_mp;
-    const wide c23_mm = v19 * v29 + v13 * s2_mm;
+    const wide c23_mm = v19 * v35 + v13 * s2_mm;
     const wide s23_pp = c3_pp * s2_pp - v10 * c2_pp;
-    const wide s23_pm = v11 * v28 - v18 * s2_pm;
+    const wide s23_pm = v11 * v34 - v18 * s2_pm;
     const wide s23_mp = c3_mp * s2_mp - v12 * c2_mp;
-    const wide s23_mm = v13 * v29 - v19 * s2_mm;
-    const wide v30 = T23 * s1 - T13 * v1;
-    const wide X4_pp = c23_pp * v30 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v30 - T33 * s23_pm;
-    const wide v31 = c23_mp * v30 + T33 * s23_mp;
-    const wide v32 = c23_mm * v30 + T33 * s23_mm;
-    const wide v33 = T23 * v1 + T13 * s1;
-    const wide v34 = v33 * v33;
-    const wide w4_pp = sqrt_wide(v34 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v34 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v34 + v31 * v31);
-    const wide w4_mm = sqrt_wide(v34 + v32 * v32);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v35 = X4_pp * factor4_pp;
-    const wide v36 = X4_pm * factor4_pm;
-    const wide v37 = v31 * factor4_mp;
-    const wide v38 = v32 * factor4_mm;
-    const wide v39 = v33 * factor4_pp;
-    const wide v40 = v33 * factor4_pm;
-    const wide v41 = v33 * factor4_mp;
-    const wide v42 = v33 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v39, -v35);
-    const wide q4_pmp = atan2_wide(-v40, -v36);
-    const wide q4_mpp = atan2_wide(v41, v37);
-    const wide q4_mmp = atan2_wide(v42, v38);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v39) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v40) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), v41) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), v42) * h1;
+    const wide s23_mm = v13 * v35 - v19 * s2_mm;
+    const wide v36 = T23 * s1 - T13 * v2;
+    const wide X4_pp = c23_pp * v36 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v36 - T33 * s23_pm;
+    const wide v37 = c23_mp * v36 + T33 * s23_mp;
+    const wide v38 = c23_mm * v36 + T33 * s23_mm;
+    const wide v39 = T23 * v2 + T13 * s1;
+    const wide v40 = v39 * v39;
+    const wide v41 = v40 + X4_pp * X4_pp;
+    const wide v42 = v40 + X4_pm * X4_pm;
+    const wide v43 = v40 + v37 * v37;
+    const wide v44 = v40 + v38 * v38;
+    const wide angle1___ = atan2_wide(-v39, -X4_pp);
+    const wide angle1____ = atan2_wide(-v39, -X4_pm);
+    const wide angle1_____ = atan2_wide(v39, v37);
+    const wide angle1______ = atan2_wide(v39, v38);
+    const wide v45 = copysign_wide(all_wide(half_turn), -v39) * h1;
+    const wide v46 = copysign_wide(all_wide(half_turn), v39) * h1;
+    const wide q4_ppm = angle1___ - v45;
+    const wide q4_pmm = angle1____ - v45;
+    const wide q4_mpm = angle1_____ - v46;
+    const wide q4_mmm = angle1______ - v46;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(w4_pp, -(T33 * c23_pp + s23_pp * v30));
-    const wide q5_pmp = atan2_wide(w4_pm, -(T33 * c23_pm + s23_pm * v30));
-    const wide q5_mpp = atan2_wide(w4_mp, s23_mp * v30 - T33 * c23_mp);
-    const wide q5_mmp = atan2_wide(w4_mm, s23_mm * v30 - T33 * c23_mm);
+    const wide angle1_______ = atan2_wide(sqrt_wide(v41), -(T33 * c23_pp + s23_pp * v36));
+    const wide angle1________ = atan2_wide(sqrt_wide(v42), -(T33 * c23_pm + s23_pm * v36));
+    const wide angle1_________ = atan2_wide(sqrt_wide(v43), s23_mp * v36 - T33 * c23_mp);
+    const wide angle1__________ = atan2_wide(sqrt_wide(v44), s23_mm * v36 - T33 * c23_mm);
 
     /* theta6 */
-    const wide v43 = v1 * T22 + s1 * T12;
-    const wide v44 = s1 * T22 - v1 * T12;
-    const wide v45 = v1 * T21 + s1 * T11;
-    const wide v46 = s1 * T21 - v1 * T11;
-    const wide v47 = v39 * (c23_pp * v46 - s23_pp * T31) - v35 * v45;
-    const wide v48 = v40 * (c23_pm * v46 - s23_pm * T31) - v36 * v45;
-    const wide v49 = v41 * (c23_mp * v46 + s23_mp * T31) - v37 * v45;
-    const wide v50 = v42 * (c23_mm * v46 + s23_mm * T31) - v38 * v45;
-    const wide q6_ppp = atan2_wide(v47, v39 * (c23_pp * v44 - s23_pp * T32) - v35 * v43);
-    const wide q6_pmp = atan2_wide(v48, v40 * (c23_pm * v44 - s23_pm * T32) - v36 * v43);
-    const wide q6_mpp = atan2_wide(v49, v41 * (c23_mp * v44 + s23_mp * T32) - v37 * v43);
-    const wide q6_mmp = atan2_wide(v50, v42 * (c23_mm * v44 + s23_mm * T32) - v38 * v43);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v47);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v48);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v49);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide v47 = v2 * T22 + s1 * T12;
+    const wide v48 = s1 * T22 - v2 * T12;
+    const wide v49 = v2 * T21 + s1 * T11;
+    const wide v50 = s1 * T21 - v2 * T11;
+    const wide v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31);
+    const wide v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31);
+    const wide v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49;
+    const wide v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49;
+    const wide angle1___________ = atan2_wide(v51, -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp *
+        T32));
+    const wide angle1____________ = atan2_wide(v52, -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm *
+        T32));
+    const wide angle1_____________ = atan2_wide(v53, v39 * (c23_mp * v48 + s23_mp * T32) - v37 *
+        v47);
+    const wide angle1______________ = atan2_wide(v54, v39 * (c23_mm * v48 + s23_mm * T32) - v38 *
+        v47);
+    const wide q6_ppm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v51);
+    const wide q6_pmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), v52);
+    const wide q6_mpm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v53);
+    const wide q6_mmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v54);
 
     /* joint values */
-    const wide v51 = atan2_wide(s2_pp, c2_pp) - offset2;
-    const wide v52 = atan2_wide(s2_pm, -v28) - offset2;
-    const wide v53 = atan2_wide(s2_mp, c2_mp) - offset2;
-    const wide v54 = atan2_wide(s2_mm, -v29) - offset2;
-    const wide q2_ppp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v53 - pick_wide(half_turn < v53, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v54 - pick_wide(half_turn < v54, all_wide(m2), all_wide(0.0));
-    const wide q1_ppp = v2 + (w3_p - w3_p);
-    const wide q1_mpp = v2 - copysign_wide(all_wide(half_turn), s1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide angle1_______________ = atan2_wide(S2_pp, C2_pp);
+    const wide v55 = angle1_______________ - offset2;
+    const wide angle1________________ = atan2_wide(S2_pm, -v28);
+    const wide v56 = angle1________________ - offset2;
+    const wide angle1_________________ = atan2_wide(S2_mp, C2_mp);
+    const wide v57 = angle1_________________ - offset2;
+    const wide angle1__________________ = atan2_wide(S2_mm, -v29);
+    const wide v58 = angle1__________________ - offset2;
+    const wide q2_ppp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0));
+    const wide q3_ppp = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_pmp = pick_wide(-v20 <= -half_turn, all_wide(m5), all_wide(0.0)) - v20;
+    const wide q3_mpp = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q3_mmp = pick_wide(-v21 <= -half_turn, all_wide(m5), all_wide(0.0)) - v21;
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
+    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt = ((v33 <= m3) | (v44 <= m4)) | (((v32 <= m3) | (v43 <= m4)) | (((v31 <=
+        m3) | (v42 <= m4)) | (((v30 <= m3) | (v41 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1___;
+    q[4] = angle1_______;
+    q[5] = angle1___________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1_______;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1____;
+    q[16] = angle1________;
+    q[17] = angle1____________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1_____;
+    q[28] = angle1_________;
+    q[29] = angle1_____________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
     q[32] = q3_mpp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1_________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1______;
+    q[40] = angle1__________;
+    q[41] = angle1______________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
     q[44] = q3_mmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1__________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -704,7 +718,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -718,13 +732,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double t14 = T14 - d7 * T13;
     const double Y1 = d7 * T23 - T24;
-    const double w1 = sqrt(t14 * t14 + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = t14 * t14 + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = t14 * factor1;
+    const double v2 = t14 * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d7 * T33 - d1;
@@ -739,59 +753,63 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v9 = k2 * K3;
     const four v10 = k1 * w3;
     const four c3 = k4 * (e2 * v10 - v9);
-    const four q3_p = atan2_four(-v8, c3);
 
     /* theta2 */
     const four v11 = d4 * c3 + a3 * v8;
     const four X2_2 = a3 * c3 - d4 * v8 - a2;
     const four S2 = v4 * v11 - Z1_3 * -X2_2;
     const four C2 = v4 * X2_2 - Z1_3 * v11;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v12 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v12);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
     const four c23 = c3 * c2 + v8 * s2;
     const four s23 = c3 * s2 - v8 * c2;
-    const double v12 = T23 * s1 - T13 * v1;
-    const four X4 = e1 * (c23 * v12) - T33 * s23;
-    const double v13 = T23 * v1 + T13 * s1;
-    const double v14 = v13 * v13;
-    const four w4 = sqrt_four(v14 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v15 = X4 * factor4;
-    const four v16 = v13 * factor4;
-    const four q4_p = atan2_four(-(e1 * v16), -v15);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -(e1 * v16)) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(w4, -(T33 * c23 + e1 * (s23 * v12)));
+    const double v13 = T23 * s1 - T13 * v2;
+    const four X4 = e1 * (c23 * v13) - T33 * s23;
+    const double v14 = T23 * v2 + T13 * s1;
+    const double v15 = v14 * v14;
+    const four v16 = v15 + X4 * X4;
+    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
 
     /* theta6 */
-    const double v17 = v1 * T22 + s1 * T12;
-    const double v18 = s1 * T22 - v1 * T12;
-    const double v19 = v1 * T21 + s1 * T11;
-    const double v20 = s1 * T21 - v1 * T11;
-    const four v21 = e1 * (v16 * (e1 * (c23 * v20) - s23 * T31) - v15 * v19);
-    const four q6_p = atan2_four(v21, e1 * (v16 * (e1 * (c23 * v18) - s23 * T32) - v15 * v17));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v21);
+    const double v18 = v2 * T22 + s1 * T12;
+    const double v19 = s1 * T22 - v2 * T12;
+    const double v20 = v2 * T21 + s1 * T11;
+    const double v21 = s1 * T21 - v2 * T11;
+    const four v22 = e1 * (-X4 * v20 + v14 * (e1 * (c23 * v21) - s23 * T31));
 
     /* joint values */
-    const four v22 = atan2_four(s2, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
-    const four q1_p = v2 + v3 * (m1 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v23 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+    const four_mask v24 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v23;
+    const four_mask doubt = ((v12 <= m3) | (v16 <= m4)) | v24;
+
+    const four angle1__ = atan2_four(-(e1 * v14), -X4);
+    const four angle1___ = atan2_four(sqrt_four(v16), -(T33 * c23 + e1 * (s23 * v13)));
+    const four angle1____ = atan2_four(v22, e1 * (-X4 * v18 + v14 * (e1 * (c23 * v19) - s23 *
+        T32)));
+    const four angle1_____ = atan2_four(S2, C2);
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1__ - v17;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v22);
+    const four v23 = angle1_____ - offset2;
+    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m5), all_four(0.0));
+    const four q3_p = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
+    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
@@ -799,7 +817,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

@@ -30,7 +30,9 @@ static const double pose_slack1 = 2.2e-05; /* a pose may be rounded by this [m] 
 static const double k1 = 1.2800000000000002; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 0.7812499999999999; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 2.342559999999999e-47; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const kuka_kr40pa_branches[2] = {
     "down", "up",
@@ -236,25 +238,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -288,25 +292,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -321,25 +327,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -379,90 +387,90 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const wide w234 = sqrt_wide(T31 * T31 + T33 * T33);
-    const wide_mask free234 = w234 <= free_limit_squared;
-    const wide factor234 = 1.0 / w234;
+    const wide v1 = T31 * T31 + T33 * T33;
+    const wide_mask free234 = v1 <= m1;
+    const wide factor234 = 1.0 / sqrt_wide(v1);
     const wide c234 = T33 * factor234;
-    const wide v1 = T31 * factor234;
-    const wide theta234 = atan2_wide(-v1, c234);
+    const wide v2 = T31 * factor234;
+    const wide angle1 = atan2_wide(-T31, T33);
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T12 * T12 + T22 * T22);
-    const wide v2 = 1.0 / w1;
-    const wide c1 = T22 * v2;
-    const wide v3 = T12 * v2;
+    const wide v3 = T12 * T12 + T22 * T22;
+    const wide v4 = 1.0 / sqrt_wide(v3);
+    const wide c1 = T22 * v4;
+    const wide v5 = T12 * v4;
 
     /* theta3 */
-    const wide v4 = a4 * v1;
-    const wide Z1_3 = T34 - d1 - v4;
-    const wide v5 = a1 + a4 * c234;
-    const wide Z2_3 = c1 * T14 - v3 * T24 - v5;
+    const wide v6 = a4 * v2;
+    const wide Z1_3 = T34 - d1 - v6;
+    const wide v7 = a1 + a4 * c234;
+    const wide Z2_3 = c1 * T14 - v5 * T24 - v7;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const wide K3 = N3 - k1;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide s3 = k2 * w3;
-    const wide c3 = k2 * (N3 - k1);
-    const wide q3_ = atan2_wide(s3, c3);
+    const wide c3 = k2 * K3;
+    const wide angle1_ = atan2_wide(w3, K3);
 
     /* theta2 */
-    const wide v6 = a3 * s3;
+    const wide v8 = a3 * s3;
     const wide Y1_2 = a2 + a3 * c3;
-    const wide v7 = Z1_3 * Y1_2;
-    const wide v8 = Z2_3 * v6;
-    const wide v9 = v7 + v8;
-    const wide v10 = v7 - v8;
-    const wide v11 = Z2_3 * Y1_2;
-    const wide v12 = Z1_3 * v6;
-    const wide C2_p = v11 - v12;
-    const wide C2_m = v11 + v12;
-    const wide w2_p = sqrt_wide(v9 * v9 + C2_p * C2_p);
-    const wide w2_m = sqrt_wide(v10 * v10 + C2_m * C2_m);
-    const wide_mask free2_p = w2_p <= free_limit_squared2;
-    const wide_mask free2_m = w2_m <= free_limit_squared2;
-    const wide factor2_p = 1.0 / w2_p;
-    const wide factor2_m = 1.0 / w2_m;
+    const wide v9 = Z1_3 * Y1_2;
+    const wide v10 = Z2_3 * v8;
+    const wide v11 = v9 + v10;
+    const wide v12 = v9 - v10;
+    const wide v13 = Z2_3 * Y1_2;
+    const wide v14 = Z1_3 * v8;
+    const wide C2_p = v13 - v14;
+    const wide C2_m = v13 + v14;
+    const wide v15 = v11 * v11 + C2_p * C2_p;
+    const wide v16 = v12 * v12 + C2_m * C2_m;
+    const wide_mask free2_p = v15 <= m2;
+    const wide_mask free2_m = v16 <= m2;
+    const wide factor2_p = 1.0 / sqrt_wide(v15);
+    const wide factor2_m = 1.0 / sqrt_wide(v16);
     const wide c2_p = C2_p * factor2_p;
     const wide c2_m = C2_m * factor2_m;
-    const wide v13 = v9 * factor2_p;
-    const wide v14 = v10 * factor2_m;
-    const wide q2__p = atan2_wide(-v13, c2_p);
-    const wide q2__m = atan2_wide(-v14, c2_m);
+    const wide v17 = v11 * factor2_p;
+    const wide v18 = v12 * factor2_m;
+    const wide angle1__ = atan2_wide(-v11, C2_p);
+    const wide angle1___ = atan2_wide(-v12, C2_m);
 
     /* is the pose one that the arm can take? */
-    const wide v15 = a3 * (c3 * c2_p + s3 * v13) + (v5 + a2 * c2_p);
-    const wide v16 = a3 * (c3 * c2_m - s3 * v14) + (v5 + a2 * c2_m);
-    const wide v17 = d1 + v4;
-    const wide v18 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32) <=
-        pose_slack) & ((abs_wide(T31 - v1) <= pose_slack) & ((abs_wide(T23 - v1 * v3) <= pose_slack)
-        & ((abs_wide(T22 - c1) <= pose_slack) & ((abs_wide(T21 + c234 * v3) <= pose_slack) &
-        ((abs_wide(T13 + v1 * c1) <= pose_slack) & ((abs_wide(T11 - c234 * c1) <= pose_slack) &
-        (abs_wide(T12 - v3) <= pose_slack)))))))), all_wide(0.0), all_wide(-1.0)));
-    const wide v19 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (s3 * c2_p - c3 * v13) - (v17 + a2 *
-        v13))) <= pose_slack1) & ((abs_wide(T14 - c1 * v15) <= pose_slack1) & (abs_wide(T24 + v3 *
-        v15) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v20 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (s3 * c2_m + c3 * v14) + (v17 + a2 *
-        v14))) <= pose_slack1) & ((abs_wide(T14 - c1 * v16) <= pose_slack1) & (abs_wide(T24 + v3 *
-        v16) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v19 = a3 * (c3 * c2_p + s3 * v17) + (v7 + a2 * c2_p);
+    const wide v20 = a3 * (c3 * c2_m - s3 * v18) + (v7 + a2 * c2_m);
+    const wide v21 = d1 + v6;
+    const double v22 = sqrt(-1.0);
+    const wide v23 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
+        & ((abs_wide(T31 - v2) <= pose_slack) & ((abs_wide(T23 - v2 * v5) <= pose_slack) &
+        ((abs_wide(T22 - c1) <= pose_slack) & ((abs_wide(T21 + c234 * v5) <= pose_slack) &
+        ((abs_wide(T13 + v2 * c1) <= pose_slack) & ((abs_wide(T11 - c234 * c1) <= pose_slack) &
+        (abs_wide(T12 - v5) <= pose_slack)))))))), all_wide(0.0), all_wide(v22));
+    const wide v24 = pick_wide((abs_wide(T34 + (a3 * (s3 * c2_p - c3 * v17) - (v21 + a2 * v17))) <=
+        pose_slack1) & ((abs_wide(T14 - c1 * v19) <= pose_slack1) & (abs_wide(T24 + v5 * v19) <=
+        pose_slack1)), all_wide(0.0), all_wide(v22));
+    const wide v25 = pick_wide((abs_wide(T34 - (a3 * (s3 * c2_m + c3 * v18) + (v21 + a2 * v18))) <=
+        pose_slack1) & ((abs_wide(T14 - c1 * v20) <= pose_slack1) & (abs_wide(T24 + v5 * v20) <=
+        pose_slack1)), all_wide(0.0), all_wide(v22));
 
     /* joint values */
-    const wide v21 = theta234 - (q3_ + q2__p);
-    const wide v22 = theta234 - (q2__m - q3_);
-    const wide v23 = v18 - v18;
-    const wide v24 = v23 + (atan2_wide(-v3, c1) + (w3 - w3));
-    const wide v25 = v19 - v19;
-    const wide v26 = v20 - v20;
-    const wide q1_p = v24 + v25;
-    const wide q1_m = v24 + v26;
-    const wide q2_p = v25 + (q2__p + v23);
-    const wide q2_m = v26 + (q2__m + v23);
-    const wide q3_p = v25 + (q3_ + v23);
-    const wide q3_m = v26 + (v23 - q3_);
-    const wide q4_p = v25 + (v23 + (v21 - pick_wide(half_turn < v21, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v21 <= -half_turn, all_wide(m1), all_wide(0.0))));
-    const wide q4_m = v26 + (v23 + (v22 - pick_wide(half_turn < v22, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v22 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide v26 = angle1 - (angle1_ + angle1__);
+    const wide v27 = angle1 - (angle1___ - angle1_);
+    const wide angle1____ = atan2_wide(-T12, T22);
+    const wide v28 = v23 + (angle1____ + (w3 - w3));
+    const wide q1_p = v24 + v28;
+    const wide q1_m = v25 + v28;
+    const wide q2_p = v24 + (angle1__ + v23);
+    const wide q2_m = v25 + (angle1___ + v23);
+    const wide q3_p = v24 + (angle1_ + v23);
+    const wide q3_m = v25 + (v23 - angle1_);
+    const wide q4_p = v24 + (v23 + (v26 - pick_wide(half_turn < v26, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v26 <= -half_turn, all_wide(m3), all_wide(0.0))));
+    const wide q4_m = v25 + (v23 + (v27 - pick_wide(half_turn < v27, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v27 <= -half_turn, all_wide(m3), all_wide(0.0))));
     const wide_mask doubt = (free2_m | (free234 | free2_m)) | (((((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free234 | (w1
-        <= free_limit_squared))) | (free2_p | (free234 | free2_p)));
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free234 | (v3
+        <= m1))) | (free2_p | (free234 | free2_p)));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -552,73 +560,79 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const double w234 = sqrt(T31 * T31 + T33 * T33);
-    const int free234 = w234 <= free_limit_squared;
-    const double factor234 = 1.0 / w234;
+    const double v1 = T31 * T31 + T33 * T33;
+    const int free234 = v1 <= m1;
+    const double factor234 = 1.0 / sqrt(v1);
     const double c234 = T33 * factor234;
-    const double v1 = T31 * factor234;
-    const four theta234 = atan2_four(all_four(-v1), all_four(c234));
+    const double v2 = T31 * factor234;
 
     /* theta1 */
-    const double w1 = sqrt(T12 * T12 + T22 * T22);
-    const double v2 = 1.0 / w1;
-    const double c1 = T22 * v2;
-    const double v3 = T12 * v2;
+    const double v3 = T12 * T12 + T22 * T22;
+    const double v4 = 1.0 / sqrt(v3);
+    const double c1 = T22 * v4;
+    const double v5 = T12 * v4;
 
     /* theta3 */
-    const double v4 = a4 * v1;
-    const double Z1_3 = T34 - d1 - v4;
-    const double v5 = a1 + a4 * c234;
-    const double Z2_3 = c1 * T14 - v3 * T24 - v5;
+    const double v6 = a4 * v2;
+    const double Z1_3 = T34 - d1 - v6;
+    const double v7 = a1 + a4 * c234;
+    const double Z2_3 = c1 * T14 - v5 * T24 - v7;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const double K3 = N3 - k1;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double s3 = k2 * w3;
-    const double c3 = k2 * (N3 - k1);
-    const four q3_ = atan2_four(all_four(s3), all_four(c3));
+    const double c3 = k2 * K3;
 
     /* theta2 */
-    const double v6 = a3 * s3;
+    const double v8 = a3 * s3;
     const double Y1_2 = a2 + a3 * c3;
-    const double v7 = Z1_3 * Y1_2;
-    const double v8 = Z2_3 * v6;
-    const four v9 = v7 + e1 * v8;
-    const double v10 = Z2_3 * Y1_2;
-    const double v11 = Z1_3 * v6;
-    const four C2 = v10 - e1 * v11;
-    const four w2 = sqrt_four(v9 * v9 + C2 * C2);
-    const four_mask free2 = w2 <= free_limit_squared2;
-    const four factor2 = 1.0 / w2;
+    const double v9 = Z1_3 * Y1_2;
+    const double v10 = Z2_3 * v8;
+    const four v11 = v9 + e1 * v10;
+    const double v12 = Z2_3 * Y1_2;
+    const double v13 = Z1_3 * v8;
+    const four C2 = v12 - e1 * v13;
+    const four v14 = v11 * v11 + C2 * C2;
+    const four_mask free2 = v14 <= m2;
+    const four factor2 = 1.0 / sqrt_four(v14);
     const four c2 = C2 * factor2;
-    const four v12 = v9 * factor2;
-    const four q2_ = atan2_four(-v12, c2);
+    const four v15 = v11 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v13 = a3 * (c3 * c2 + e1 * (s3 * v12)) + (v5 + a2 * c2);
-    const double v14 = d1 + v4;
-    const double v15 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T32) <= pose_slack) &
-        ((fabs(T31 - v1) <= pose_slack) & ((fabs(T23 - v1 * v3) <= pose_slack) & ((fabs(T22 - c1) <=
-        pose_slack) & ((fabs(T21 + c234 * v3) <= pose_slack) & ((fabs(T13 + v1 * c1) <= pose_slack)
-        & ((fabs(T11 - c234 * c1) <= pose_slack) & (fabs(T12 - v3) <= pose_slack))))))))) ? 0.0 :
-        (-1.0));
-    const four v16 = sqrt_four(pick_four((abs_four(T34 + (a3 * (e1 * (s3 * c2) - c3 * v12) - (v14 +
-        a2 * v12))) <= pose_slack1) & ((abs_four(T14 - c1 * v13) <= pose_slack1) & (abs_four(T24 +
-        v3 * v13) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+    const four v16 = a3 * (c3 * c2 + e1 * (s3 * v15)) + (v7 + a2 * c2);
+    const double v17 = d1 + v6;
+    const double v18 = sqrt(-1.0);
+    const double v19 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31 -
+        v2) <= pose_slack) & ((fabs(T23 - v2 * v5) <= pose_slack) & ((fabs(T22 - c1) <= pose_slack)
+        & ((fabs(T21 + c234 * v5) <= pose_slack) & ((fabs(T13 + v2 * c1) <= pose_slack) & ((fabs(T11
+        - c234 * c1) <= pose_slack) & (fabs(T12 - v5) <= pose_slack))))))))) ? 0.0 : v18;
+    const four v20 = pick_four((abs_four(T34 + (a3 * (e1 * (s3 * c2) - c3 * v15) - (v17 + a2 *
+        v15))) <= pose_slack1) & ((abs_four(T14 - c1 * v16) <= pose_slack1) & (abs_four(T24 + v5 *
+        v16) <= pose_slack1)), all_four(0.0), all_four(v18));
 
     /* joint values */
-    const four v17 = e1 * q3_;
-    const four v18 = theta234 - (q2_ + v17);
-    const double v19 = v15 - v15;
-    const four v20 = v19 + (atan2_four(all_four(-v3), all_four(c1)) + (w3 - w3));
-    const four v21 = v16 - v16;
-    const four q1 = v20 + v21;
-    const four q2 = v21 + (q2_ + v19);
-    const four q3 = v21 + (v17 + v19);
-    const four q4 = v21 + (v19 + (v18 - pick_four(half_turn < v18, all_four(m1), all_four(0.0)) +
-        pick_four(v18 <= -half_turn, all_four(m1), all_four(0.0))));
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free234 | (w1 <= free_limit_squared));
+        N3) & (N3 < longest3_apart)) == 0)) | (free234 | (v3 <= m1));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free2 | ((all_four(free234 ? 1.0
         : 0.0) > 0.0) | free2));
+
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(-v11,
+        all_four(-T31), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(C2, all_four(T33), 0, 1, 6, 3),
+        all_four(K3), 0, 1, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four packed2 = atan2_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22, T22 });
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four v21 = e1 * angle1_;
+    const four v22 = angle1 - (angle1__ + v21);
+    const four v23 = v19 + (angle1___ + (w3 - w3));
+    const four q1 = v20 + v23;
+    const four q2 = v20 + (angle1__ + v19);
+    const four q3 = v20 + (v19 + v21);
+    const four q4 = v20 + (v19 + (v22 - pick_four(half_turn < v22, all_four(m3), all_four(0.0)) +
+        pick_four(v22 <= -half_turn, all_four(m3), all_four(0.0))));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

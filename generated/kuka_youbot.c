@@ -35,8 +35,11 @@ static const double pose_slack1 = 6.875e-06; /* a pose may be rounded by this [m
 static const double k1 = 0.04225; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 4.726562499999999e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m4 = 2.234039306640625e-49; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -256,25 +259,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -308,25 +313,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -341,25 +348,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -399,81 +408,86 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
-    const wide v1 = atan2_wide(s1, c1);
+    const wide angle1 = atan2_wide(T24, T14);
 
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide w234 = sqrt_wide(T33 * T33 + Z2_234 * Z2_234);
-    const wide_mask free234 = w234 <= free_limit_squared;
-    const wide factor234 = 1.0 / w234;
-    const wide v2 = T33 * factor234;
+    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
+    const wide_mask free234 = v2 <= m3;
+    const wide factor234 = 1.0 / sqrt_wide(v2);
+    const wide v3 = T33 * factor234;
     const wide s234 = Z2_234 * factor234;
-    const wide theta234 = atan2_wide(s234, -v2);
+    const wide angle1_ = atan2_wide(Z2_234, -T33);
 
     /* theta5 */
     const wide S5 = c1 * T21 - s1 * T11;
     const wide C5 = c1 * T22 - s1 * T12;
-    const wide w5 = sqrt_wide(S5 * S5 + C5 * C5);
-    const wide v3 = 1.0 / w5;
-    const wide v4 = C5 * v3;
-    const wide v5 = S5 * v3;
-    const wide v6 = atan2_wide(-v5, -v4);
+    const wide v4 = S5 * S5 + C5 * C5;
+    const wide v5 = 1.0 / sqrt_wide(v4);
+    const wide v6 = C5 * v5;
+    const wide v7 = S5 * v5;
+    const wide angle1__ = atan2_wide(-S5, -C5);
 
     /* theta3 */
-    const wide v7 = d5 * v2;
-    const wide Z1_3 = T34 - d1 - v7;
-    const wide v8 = d5 * s234;
-    const wide Z2_3_p = w1 - a1 - v8;
-    const wide Z2_3_m = v8 - (a1 + w1);
-    const wide v9 = Z1_3 * Z1_3;
-    const wide N3_p = v9 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v9 + Z2_3_m * Z2_3_m;
+    const wide v8 = d5 * v3;
+    const wide Z1_3 = T34 - d1 - v8;
+    const wide v9 = d5 * s234;
+    const wide Z2_3_p = w1 - a1 - v9;
+    const wide Z2_3_m = v9 - (a1 + w1);
+    const wide v10 = Z1_3 * Z1_3;
+    const wide N3_p = v10 + Z2_3_p * Z2_3_p;
+    const wide N3_m = v10 + Z2_3_m * Z2_3_m;
+    const wide K3_p = N3_p - k1;
+    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide v11 = w3_p - w3_p;
+    const wide v12 = w3_m - w3_m;
     const wide s3_p = k2 * w3_p;
     const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * (N3_p - k1);
-    const wide c3_m = k2 * (N3_m - k1);
-    const wide q3__p = atan2_wide(s3_p, c3_p);
-    const wide q3__m = atan2_wide(s3_m, c3_m);
+    const wide c3_p = k2 * K3_p;
+    const wide c3_m = k2 * K3_m;
+    const wide angle1___ = atan2_wide(w3_p, K3_p);
+    const wide angle1____ = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
     const wide X1_2_p = a2 + a3 * c3_p;
     const wide X1_2_m = a2 + a3 * c3_m;
     const wide Y1_2_p = a3 * s3_p;
     const wide Y1_2_m = a3 * s3_m;
-    const wide v10 = Z1_3 * X1_2_p;
-    const wide v11 = Z1_3 * X1_2_m;
-    const wide v12 = Z2_3_p * Y1_2_p;
-    const wide v13 = Z2_3_m * Y1_2_m;
-    const wide S2_pp = v10 - v12;
-    const wide S2_pm = v10 + v12;
-    const wide S2_mp = v11 - v13;
-    const wide S2_mm = v11 + v13;
-    const wide v14 = Z2_3_p * X1_2_p;
-    const wide v15 = Z2_3_m * X1_2_m;
-    const wide v16 = Z1_3 * Y1_2_p;
-    const wide v17 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v14 + v16;
-    const wide C2_pm = v14 - v16;
-    const wide C2_mp = v15 + v17;
-    const wide C2_mm = v15 - v17;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + C2_mm * C2_mm);
-    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
-    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
-    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
-    const wide_mask free2_mm = w2_mm <= free_limit_squared2;
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v13 = Z1_3 * X1_2_p;
+    const wide v14 = Z1_3 * X1_2_m;
+    const wide v15 = Z2_3_p * Y1_2_p;
+    const wide v16 = Z2_3_m * Y1_2_m;
+    const wide S2_pp = v13 - v15;
+    const wide S2_pm = v13 + v15;
+    const wide S2_mp = v14 - v16;
+    const wide S2_mm = v14 + v16;
+    const wide v17 = Z2_3_p * X1_2_p;
+    const wide v18 = Z2_3_m * X1_2_m;
+    const wide v19 = Z1_3 * Y1_2_p;
+    const wide v20 = Z1_3 * Y1_2_m;
+    const wide C2_pp = v17 + v19;
+    const wide C2_pm = v17 - v19;
+    const wide C2_mp = v18 + v20;
+    const wide C2_mm = v18 - v20;
+    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v22 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v23 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v24 = S2_mm * S2_mm + C2_mm * C2_mm;
+    const wide_mask free2_pp = v21 <= m4;
+    const wide_mask free2_pm = v22 <= m4;
+    const wide_mask free2_mp = v23 <= m4;
+    const wide_mask free2_mm = v24 <= m4;
+    const wide factor2_pp = 1.0 / sqrt_wide(v21);
+    const wide factor2_pm = 1.0 / sqrt_wide(v22);
+    const wide factor2_mp = 1.0 / sqrt_wide(v23);
+    const wide factor2_mm = 1.0 / sqrt_wide(v24);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
@@ -482,102 +496,96 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
     const wide s2_mm = S2_mm * factor2_mm;
-    const wide theta2_pp = atan2_wide(s2_pp, c2_pp);
-    const wide theta2_pm = atan2_wide(s2_pm, c2_pm);
-    const wide theta2_mp = atan2_wide(s2_mp, c2_mp);
-    const wide theta2_mm = atan2_wide(s2_mm, c2_mm);
+    const wide angle1_____ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1______ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1_______ = atan2_wide(S2_mp, C2_mp);
+    const wide angle1________ = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v18 = c1 * v2;
-    const wide v19 = a1 + v8;
-    const wide v20 = a1 - v8;
-    const wide v21 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v19 + a2 * c2_pp);
-    const wide v22 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v19 + a2 * c2_pm);
-    const wide v23 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v20 + a2 * c2_mp);
-    const wide v24 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v20 + a2 * c2_mm);
-    const wide v25 = s1 * v2;
-    const wide v26 = d1 + v7;
-    const wide v27 = sqrt_wide(pick_wide((abs_wide(T33 - v2) <= pose_slack) & ((abs_wide(T32 - s234
-        * v5) <= pose_slack) & ((abs_wide(T31 + s234 * v4) <= pose_slack) & ((abs_wide(T23 - s1 *
-        s234) <= pose_slack) & ((abs_wide(T22 + (v5 * v25 - c1 * v4)) <= pose_slack) &
-        ((abs_wide(T21 - (v4 * v25 + c1 * v5)) <= pose_slack) & ((abs_wide(T13 - c1 * s234) <=
-        pose_slack) & ((abs_wide(T11 - (v4 * v18 - s1 * v5)) <= pose_slack) & (abs_wide(T12 + (s1 *
-        v4 + v5 * v18)) <= pose_slack)))))))), all_wide(0.0), all_wide(-1.0)));
-    const wide v28 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v26
-        + a2 * s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v21) <= pose_slack1) & (abs_wide(T24
-        - s1 * v21) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v29 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v26
-        + a2 * s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v22) <= pose_slack1) & (abs_wide(T24
-        - s1 * v22) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v30 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v26
-        + a2 * s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v23) <= pose_slack1) & (abs_wide(T24
-        + s1 * v23) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v31 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v26
-        + a2 * s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v24) <= pose_slack1) & (abs_wide(T24
-        + s1 * v24) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v25 = c1 * v3;
+    const wide v26 = a1 + v9;
+    const wide v27 = a1 - v9;
+    const wide v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp);
+    const wide v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm);
+    const wide v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp);
+    const wide v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm);
+    const wide v32 = s1 * v3;
+    const wide v33 = d1 + v8;
+    const double v34 = sqrt(-1.0);
+    const wide v35 = pick_wide((abs_wide(T33 - v3) <= pose_slack) & ((abs_wide(T32 - s234 * v7) <=
+        pose_slack) & ((abs_wide(T31 + s234 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * s234) <=
+        pose_slack) & ((abs_wide(T22 + (v7 * v32 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 - (v6 *
+        v32 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * s234) <= pose_slack) & ((abs_wide(T11
+        - (v6 * v25 - s1 * v7)) <= pose_slack) & (abs_wide(T12 + (s1 * v6 + v7 * v25)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v34));
+    const wide v36 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 *
+        s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v28) <= pose_slack1) & (abs_wide(T24 - s1 *
+        v28) <= pose_slack1)), all_wide(0.0), all_wide(v34));
+    const wide v37 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 *
+        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v29) <= pose_slack1) & (abs_wide(T24 - s1 *
+        v29) <= pose_slack1)), all_wide(0.0), all_wide(v34));
+    const wide v38 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 *
+        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v30) <= pose_slack1) & (abs_wide(T24 + s1 *
+        v30) <= pose_slack1)), all_wide(0.0), all_wide(v34));
+    const wide v39 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 *
+        s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v31) <= pose_slack1) & (abs_wide(T24 + s1 *
+        v31) <= pose_slack1)), all_wide(0.0), all_wide(v34));
 
     /* joint values */
-    const wide v32 = theta2_pp - offset2;
-    const wide v33 = theta2_pm - offset2;
-    const wide v34 = theta2_mp - offset2;
-    const wide v35 = theta2_mm - offset2;
-    const wide v36 = theta234 - (q3__p + theta2_pp) - offset4;
-    const wide v37 = theta234 - (theta2_pm - q3__p) - offset4;
-    const wide v38 = offset4 + (theta234 + (q3__m + theta2_mp));
-    const wide v39 = offset4 + (theta234 + (theta2_mm - q3__m));
-    const wide v40 = v36 - pick_wide(half_turn < v36, all_wide(m2), all_wide(0.0)) + pick_wide(v36
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v41 = v37 - pick_wide(half_turn < v37, all_wide(m2), all_wide(0.0)) + pick_wide(v37
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v42 = pick_wide(-v38 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v38 +
-        pick_wide(half_turn < -v38, all_wide(m2), all_wide(0.0)));
-    const wide v43 = pick_wide(-v39 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v39 +
-        pick_wide(half_turn < -v39, all_wide(m2), all_wide(0.0)));
-    const wide v44 = w3_p - w3_p;
-    const wide v45 = w3_m - w3_m;
-    const wide v46 = v27 - v27;
-    const wide v47 = v46 + (v1 + v44);
-    const wide v48 = v46 + (v45 + (v1 - copysign_wide(all_wide(half_turn), s1) * h1));
-    const wide v49 = v28 - v28;
-    const wide v50 = v29 - v29;
-    const wide v51 = v30 - v30;
-    const wide v52 = v31 - v31;
-    const wide q1_pp = v47 + v49;
-    const wide q1_pm = v47 + v50;
-    const wide q1_mp = v48 + v51;
-    const wide q1_mm = v48 + v52;
-    const wide q2_pp = v49 + (v46 + (v32 + pick_wide(v32 <= -half_turn, all_wide(m2),
+    const wide v40 = angle1_____ - offset2;
+    const wide v41 = angle1______ - offset2;
+    const wide v42 = angle1_______ - offset2;
+    const wide v43 = angle1________ - offset2;
+    const wide v44 = angle1_ - (angle1___ + angle1_____) - offset4;
+    const wide v45 = angle1_ - (angle1______ - angle1___) - offset4;
+    const wide v46 = offset4 + (angle1_ + (angle1____ + angle1_______));
+    const wide v47 = offset4 + (angle1_ + (angle1________ - angle1____));
+    const wide v48 = v44 - pick_wide(half_turn < v44, all_wide(m5), all_wide(0.0)) + pick_wide(v44
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v49 = v45 - pick_wide(half_turn < v45, all_wide(m5), all_wide(0.0)) + pick_wide(v45
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v50 = pick_wide(-v46 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v46 +
+        pick_wide(half_turn < -v46, all_wide(m5), all_wide(0.0)));
+    const wide v51 = pick_wide(-v47 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v47 +
+        pick_wide(half_turn < -v47, all_wide(m5), all_wide(0.0)));
+    const wide v52 = v35 + (angle1 + v11);
+    const wide v53 = v35 + (v12 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v36 + v52;
+    const wide q1_pm = v37 + v52;
+    const wide q1_mp = v38 + v53;
+    const wide q1_mm = v39 + v53;
+    const wide q2_pp = v36 + (v35 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_pm = v50 + (v46 + (v33 + pick_wide(v33 <= -half_turn, all_wide(m2),
+    const wide q2_pm = v37 + (v35 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_mp = v51 + (v46 + (v34 + pick_wide(v34 <= -half_turn, all_wide(m2),
+    const wide q2_mp = v38 + (v35 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_mm = v52 + (v46 + (v35 + pick_wide(v35 <= -half_turn, all_wide(m2),
+    const wide q2_mm = v39 + (v35 + (v43 + pick_wide(v43 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q3_pp = v49 + (q3__p + v46);
-    const wide q3_pm = v50 + (v46 - q3__p);
-    const wide q3_mp = v51 + (q3__m + v46);
-    const wide q3_mm = v52 + (v46 - q3__m);
-    const wide q4_pp = v49 + (v46 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m2),
+    const wide q3_pp = v36 + (angle1___ + v35);
+    const wide q3_pm = v37 + (v35 - angle1___);
+    const wide q3_mp = v38 + (angle1____ + v35);
+    const wide q3_mm = v39 + (v35 - angle1____);
+    const wide q4_pp = v36 + (v35 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_pm = v50 + (v46 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m2),
+    const wide q4_pm = v37 + (v35 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mp = v51 + (v46 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m2),
+    const wide q4_mp = v38 + (v35 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mm = v52 + (v46 + (v43 + pick_wide(v43 <= -half_turn, all_wide(m2),
+    const wide q4_mm = v39 + (v35 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide v53 = v46 + (v6 + v44);
-    const wide v54 = v46 + (v45 + (v6 - h1 * copysign_wide(all_wide(half_turn), -v5)));
-    const wide q5_pp = v49 + v53;
-    const wide q5_pm = v50 + v53;
-    const wide q5_mp = v51 + v54;
-    const wide q5_mm = v52 + v54;
+    const wide v54 = v35 + (angle1__ + v11);
+    const wide v55 = v35 + (v12 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide q5_pp = v36 + v54;
+    const wide q5_pm = v37 + v54;
+    const wide q5_mp = v38 + v55;
+    const wide q5_mm = v39 + v55;
     const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
         ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
         (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((w5 <= free_limit_squared) |
-        (free234 | (w1 <= free_limit1))))))));
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v4 <= m3) | (free234 | (v1
+        <= m1))))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -671,7 +679,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
@@ -683,98 +691,105 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
-    const four v1 = atan2_four(all_four(s1), all_four(c1));
-    const double v2 = copysign(half_turn, s1);
-    const four v3 = m1 * (e1 - 1.0);
+    const double v2 = copysign(half_turn, T24);
+    const four v3 = m2 * (e1 - 1.0);
 
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
-    const double w234 = sqrt(T33 * T33 + Z2_234 * Z2_234);
-    const int free234 = w234 <= free_limit_squared;
-    const double factor234 = 1.0 / w234;
-    const double v4 = T33 * factor234;
+    const double v4 = T33 * T33 + Z2_234 * Z2_234;
+    const int free234 = v4 <= m3;
+    const double factor234 = 1.0 / sqrt(v4);
+    const double v5 = T33 * factor234;
     const double s234 = Z2_234 * factor234;
-    const four theta234 = atan2_four(all_four(s234), all_four(-v4));
 
     /* theta5 */
     const double S5 = c1 * T21 - s1 * T11;
     const double C5 = c1 * T22 - s1 * T12;
-    const double w5 = sqrt(S5 * S5 + C5 * C5);
-    const double v5 = 1.0 / w5;
-    const double v6 = C5 * v5;
-    const double v7 = S5 * v5;
-    const four v8 = atan2_four(all_four(-v7), all_four(-v6));
-    const double v9 = copysign(half_turn, -v7);
+    const double v6 = S5 * S5 + C5 * C5;
+    const double v7 = 1.0 / sqrt(v6);
+    const double v8 = C5 * v7;
+    const double v9 = S5 * v7;
+    const double v10 = copysign(half_turn, -S5);
 
     /* theta3 */
-    const double v10 = d5 * v4;
-    const double Z1_3 = T34 - d1 - v10;
-    const double v11 = d5 * s234;
-    const four v12 = e1 * v11;
-    const four Z2_3 = e1 * w1 - a1 - v12;
-    const double v13 = Z1_3 * Z1_3;
-    const four N3 = v13 + Z2_3 * Z2_3;
+    const double v11 = d5 * v5;
+    const double Z1_3 = T34 - d1 - v11;
+    const double v12 = d5 * s234;
+    const four v13 = e1 * v12;
+    const four Z2_3 = e1 * w1 - a1 - v13;
+    const double v14 = Z1_3 * Z1_3;
+    const four N3 = v14 + Z2_3 * Z2_3;
+    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four v15 = w3 - w3;
     const four s3 = k2 * w3;
-    const four c3 = k2 * (N3 - k1);
-    const four q3_ = atan2_four(s3, c3);
+    const four c3 = k2 * K3;
 
     /* theta2 */
     const four X1_2 = a2 + a3 * c3;
     const four Y1_2 = a3 * s3;
-    const four v14 = Z1_3 * X1_2;
-    const four v15 = Z2_3 * Y1_2;
-    const four S2 = v14 - e2 * v15;
-    const four v16 = Z2_3 * X1_2;
-    const four v17 = Z1_3 * Y1_2;
-    const four C2 = v16 + e2 * v17;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four_mask free2 = w2 <= free_limit_squared2;
-    const four factor2 = 1.0 / w2;
+    const four v16 = Z1_3 * X1_2;
+    const four v17 = Z2_3 * Y1_2;
+    const four S2 = v16 - e2 * v17;
+    const four v18 = Z2_3 * X1_2;
+    const four v19 = Z1_3 * Y1_2;
+    const four C2 = v18 + e2 * v19;
+    const four v20 = S2 * S2 + C2 * C2;
+    const four_mask free2 = v20 <= m4;
+    const four factor2 = 1.0 / sqrt_four(v20);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
-    const four theta2 = atan2_four(s2, c2);
 
     /* is the pose one that the arm can take? */
-    const double v18 = c1 * v4;
-    const four v19 = a1 + v12;
-    const four v20 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v19 + a2 * c2);
-    const double v21 = s1 * v4;
-    const double v22 = d1 + v10;
-    const double v23 = sqrt(((fabs(T33 - v4) <= pose_slack) & ((fabs(T32 - s234 * v7) <= pose_slack)
-        & ((fabs(T31 + s234 * v6) <= pose_slack) & ((fabs(T23 - s1 * s234) <= pose_slack) &
-        ((fabs(T22 + (v7 * v21 - c1 * v6)) <= pose_slack) & ((fabs(T21 - (v6 * v21 + c1 * v7)) <=
-        pose_slack) & ((fabs(T13 - c1 * s234) <= pose_slack) & ((fabs(T11 - (v6 * v18 - s1 * v7)) <=
-        pose_slack) & (fabs(T12 + (s1 * v6 + v7 * v18)) <= pose_slack))))))))) ? 0.0 : (-1.0));
-    const four v24 = sqrt_four(pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v22 +
-        a2 * s2))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v20)) <= pose_slack1) &
-        (abs_four(T24 - e1 * (s1 * v20)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+    const double v21 = c1 * v5;
+    const four v22 = a1 + v13;
+    const four v23 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v22 + a2 * c2);
+    const double v24 = s1 * v5;
+    const double v25 = d1 + v11;
+    const double v26 = sqrt(-1.0);
+    const double v27 = ((fabs(T33 - v5) <= pose_slack) & ((fabs(T32 - s234 * v9) <= pose_slack) &
+        ((fabs(T31 + s234 * v8) <= pose_slack) & ((fabs(T23 - s1 * s234) <= pose_slack) & ((fabs(T22
+        + (v9 * v24 - c1 * v8)) <= pose_slack) & ((fabs(T21 - (v8 * v24 + c1 * v9)) <= pose_slack) &
+        ((fabs(T13 - c1 * s234) <= pose_slack) & ((fabs(T11 - (v8 * v21 - s1 * v9)) <= pose_slack) &
+        (fabs(T12 + (s1 * v8 + v9 * v21)) <= pose_slack))))))))) ? 0.0 : v26;
+    const four v28 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v25 + a2 * s2)))
+        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
+        (s1 * v23)) <= pose_slack1)), all_four(0.0), all_four(v26));
 
     /* joint values */
-    const four v25 = theta2 - offset2;
-    const four v26 = e2 * q3_;
-    const four v27 = e1 * theta234;
-    const four v28 = v27 - (theta2 + v26) - offset4;
-    const four v29 = v28 - pick_four(half_turn < v28, all_four(m2), all_four(0.0)) + pick_four(v28
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const four v30 = w3 - w3;
-    const double v31 = v23 - v23;
-    const four v32 = v31 + (v30 + (v1 + v2 * v3));
-    const four v33 = v24 - v24;
-    const four q1 = v32 + v33;
-    const four q2 = v33 + (v31 + (v25 + pick_four(v25 <= -half_turn, all_four(m2), all_four(0.0))));
-    const four q3 = v33 + (v26 + v31);
-    const four q4 = v33 + (v31 + (v29 + pick_four(v29 <= -half_turn, all_four(m2), all_four(0.0))));
-    const four v34 = v31 + (v30 + (v8 + v3 * v9));
-    const four q5 = v33 + v34;
-    const int doubt1 = (w5 <= free_limit_squared) | (free234 | (w1 <= free_limit1));
-    const four_mask v35 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const int doubt1 = (v6 <= m3) | (free234 | (v1 <= m1));
+    const four_mask v36 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v35;
+    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v36;
+
+    const four angle1____ = atan2_four(S2, C2);
+    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
+        all_four(T24), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(T14), 0, 5, 2, 3),
+        all_four(-T33), 0, 1, 2, 7));
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
+    const four angle1__ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v29 = angle1____ - offset2;
+    const four v30 = e2 * angle1___;
+    const four v31 = e1 * angle1_;
+    const four v32 = v31 - (angle1____ + v30) - offset4;
+    const four v33 = v32 - pick_four(half_turn < v32, all_four(m5), all_four(0.0)) + pick_four(v32
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four v34 = v27 + (v15 + (angle1 + v2 * v3));
+    const four q1 = v28 + v34;
+    const four q2 = v28 + (v27 + (v29 + pick_four(v29 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four q3 = v28 + (v27 + v30);
+    const four q4 = v28 + (v27 + (v33 + pick_four(v33 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four v35 = v27 + (v15 + (angle1__ + v3 * v10));
+    const four q5 = v28 + v35;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

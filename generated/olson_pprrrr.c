@@ -18,8 +18,9 @@ static const double free_limit_squared2 = 4.9e-23;
 static const double reach_slack1 = 7e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 7e-14; /* nearer to that boundary two branches are one [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const olson_pprrrr_branches[4] = {
     "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
@@ -216,25 +217,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -268,25 +271,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -301,25 +306,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -359,112 +366,111 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta3 */
-    const wide w3 = sqrt_wide(T23 * T23 + T13 * T13);
+    const wide v1 = T23 * T23 + T13 * T13;
+    const wide w3 = sqrt_wide(v1);
     const wide factor3 = 1.0 / w3;
     const wide c3 = T23 * factor3;
-    const wide v1 = T13 * factor3;
-    const wide v2 = atan2_wide(-v1, c3);
+    const wide v2 = T13 * factor3;
+    const wide angle1 = atan2_wide(-T13, T23);
 
     /* theta45 */
-    const wide theta45 = atan2_wide(-w3, -T33);
+    const wide angle1_ = atan2_wide(-w3, -T33);
 
     /* theta6 */
-    const wide Z1_6 = c3 * T12 - v1 * T22;
-    const wide Z2_6 = c3 * T11 - v1 * T21;
-    const wide v3 = atan2_wide(-Z2_6, -Z1_6);
+    const wide Z1_6 = c3 * T12 - v2 * T22;
+    const wide Z2_6 = c3 * T11 - v2 * T21;
+    const wide angle1__ = atan2_wide(-Z2_6, -Z1_6);
 
     /* theta5 */
     const wide X5 = a4 * T33;
     const wide Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
-    const wide v4 = d6 * T33 + (d3 - T34);
+    const wide v3 = d6 * T33 + (d3 - T34);
     const wide N5 = X5 * X5 + Y5 * Y5;
-    const wide D5 = N5 - v4 * v4;
+    const wide D5 = N5 - v3 * v3;
     const wide_mask free5 = N5 <= free_limit_squared2;
-    const wide v5 = 2.0 * abs_wide(v4);
+    const wide v4 = 2.0 * abs_wide(v3);
     const wide w5 = sqrt_wide(D5);
+    const wide v5 = w5 - w5;
     const wide inverse5 = 1.0 / N5;
-    const wide v6 = X5 * v4;
-    const wide v7 = Y5 * v4;
+    const wide v6 = X5 * v3;
+    const wide v7 = Y5 * v3;
     const wide v8 = X5 * w5;
-    const wide v9 = inverse5 * (v7 + v8);
+    const wide v9 = v7 + v8;
     const wide v10 = v7 - v8;
-    const wide v11 = inverse5 * v10;
-    const wide v12 = inverse5 * -v10;
-    const wide v13 = Y5 * w5;
-    const wide s5_pp = inverse5 * (v13 - v6);
-    const wide v14 = inverse5 * (v6 + v13);
-    const wide q5_pp = atan2_wide(s5_pp, -v9);
-    const wide q5_pm = atan2_wide(-v14, -v11);
-    const wide q5_mp = atan2_wide(-v14, -v12);
-    const wide q5_mm = atan2_wide(s5_pp, v9);
+    const wide v11 = Y5 * w5;
+    const wide v12 = v11 - v6;
+    const wide v13 = v6 + v11;
+    const wide angle1___ = atan2_wide(v12, -v9);
+    const wide angle1____ = atan2_wide(-v13, -v10);
+    const wide angle1_____ = atan2_wide(-v13, v10);
+    const wide angle1______ = atan2_wide(v12, v9);
 
     /* r2 */
     const wide wx = T14 - d6 * T13;
-    const wide v15 = w3 * s5_pp - T33 * v9;
-    const wide v16 = w3 * v14;
-    const wide v17 = v16 + T33 * v11;
-    const wide v18 = v16 - T33 * v12;
-    const wide v19 = a4 * v1;
-    const wide q2_pp = wx - v15 * v19;
-    const wide q2_pm = wx + v17 * v19;
-    const wide q2_mp = wx + v18 * v19;
-    const wide q2_mm = wx + -v15 * v19;
+    const wide v14 = w3 * (inverse5 * v12) - T33 * (inverse5 * v9);
+    const wide v15 = w3 * (inverse5 * v13);
+    const wide v16 = v15 + T33 * (inverse5 * v10);
+    const wide v17 = v15 - T33 * (inverse5 * -v10);
+    const wide v18 = a4 * v2;
+    const wide q2_pp = wx - v14 * v18;
+    const wide q2_pm = wx + v16 * v18;
+    const wide q2_mp = wx + v17 * v18;
+    const wide q2_mm = wx + -v14 * v18;
 
     /* r1 */
     const wide wy = T24 - d6 * T23;
-    const wide v20 = a4 * c3;
-    const wide q1_pp = wy - v15 * v20;
-    const wide q1_pm = wy + v17 * v20;
-    const wide q1_mp = wy + v18 * v20;
-    const wide q1_mm = wy + -v15 * v20;
+    const wide v19 = a4 * c3;
+    const wide q1_pp = wy - v14 * v19;
+    const wide q1_pm = wy + v16 * v19;
+    const wide q1_mp = wy + v17 * v19;
+    const wide q1_mm = wy + -v14 * v19;
 
     /* joint values */
-    const wide v21 = theta45 - q5_pp;
-    const wide v22 = theta45 - q5_pm;
-    const wide v23 = theta45 + q5_mp;
-    const wide v24 = theta45 + q5_mm;
-    const wide q4_pp = v21 - pick_wide(half_turn < v21, all_wide(m2), all_wide(0.0)) + pick_wide(v21
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pm = v22 - pick_wide(half_turn < v22, all_wide(m2), all_wide(0.0)) + pick_wide(v22
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mp = pick_wide(-v23 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v23 +
-        pick_wide(half_turn < -v23, all_wide(m2), all_wide(0.0)));
-    const wide q4_mm = pick_wide(-v24 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v24 +
-        pick_wide(half_turn < -v24, all_wide(m2), all_wide(0.0)));
-    const wide v25 = w5 - w5;
-    const wide q3_pp = v2 + v25;
-    const wide q3_mp = v25 + (v2 - copysign_wide(all_wide(half_turn), -v1) * h1);
-    const wide q6_pp = v3 + v25;
-    const wide q6_mp = v25 + (v3 - h1 * copysign_wide(all_wide(half_turn), -Z2_6));
-    const wide_mask doubt = ((-(reach_slack1 * (reach_slack1 + v5)) <= D5) & (free5 | ((merge_slack1
-        * (merge_slack1 + v5) < D5) == 0))) | (free5 | (w3 <= free_limit));
+    const wide v20 = angle1_ - angle1___;
+    const wide v21 = angle1_ - angle1____;
+    const wide v22 = angle1_ + angle1_____;
+    const wide v23 = angle1_ + angle1______;
+    const wide q4_pp = v20 - pick_wide(half_turn < v20, all_wide(m3), all_wide(0.0)) + pick_wide(v20
+        <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_pm = v21 - pick_wide(half_turn < v21, all_wide(m3), all_wide(0.0)) + pick_wide(v21
+        <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q4_mp = pick_wide(-v22 <= -half_turn, all_wide(m3), all_wide(0.0)) - (v22 +
+        pick_wide(half_turn < -v22, all_wide(m3), all_wide(0.0)));
+    const wide q4_mm = pick_wide(-v23 <= -half_turn, all_wide(m3), all_wide(0.0)) - (v23 +
+        pick_wide(half_turn < -v23, all_wide(m3), all_wide(0.0)));
+    const wide q3_pp = angle1 + v5;
+    const wide q3_mp = v5 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
+    const wide q6_pp = angle1__ + v5;
+    const wide q6_mp = v5 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_6));
+    const wide_mask doubt = ((-(reach_slack1 * (reach_slack1 + v4)) <= D5) & (free5 | ((merge_slack1
+        * (merge_slack1 + v4) < D5) == 0))) | (free5 | (v1 <= m1));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
     q[2] = q3_pp;
     q[3] = q4_pp;
-    q[4] = q5_pp;
+    q[4] = angle1___;
     q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_pm;
     q[7] = q2_pm;
     q[8] = q3_pp;
     q[9] = q4_pm;
-    q[10] = q5_pm;
+    q[10] = angle1____;
     q[11] = q6_pp;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_mp;
     q[13] = q2_mp;
     q[14] = q3_mp;
     q[15] = q4_mp;
-    q[16] = q5_mp;
+    q[16] = angle1_____;
     q[17] = q6_mp;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_mm;
     q[19] = q2_mm;
     q[20] = q3_mp;
     q[21] = q4_mm;
-    q[22] = q5_mm;
+    q[22] = angle1______;
     q[23] = q6_mp;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -535,7 +541,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -547,64 +553,66 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta3 */
-    const double w3 = sqrt(T23 * T23 + T13 * T13);
+    const double v1 = T23 * T23 + T13 * T13;
+    const double w3 = sqrt(v1);
     const double factor3 = 1.0 / w3;
     const double c3 = T23 * factor3;
-    const double v1 = T13 * factor3;
-    const four v2 = atan2_four(all_four(-v1), all_four(c3));
-    const double v3 = copysign(half_turn, -v1);
-    const four v4 = m1 * (e1 - 1.0);
-
-    /* theta45 */
-    const four theta45 = atan2_four(all_four(-w3), all_four(-T33));
+    const double v2 = T13 * factor3;
+    const double v3 = copysign(half_turn, -T13);
+    const four v4 = m2 * (e1 - 1.0);
 
     /* theta6 */
-    const double Z1_6 = c3 * T12 - v1 * T22;
-    const double Z2_6 = c3 * T11 - v1 * T21;
-    const four v5 = atan2_four(all_four(-Z2_6), all_four(-Z1_6));
-    const double v6 = copysign(half_turn, -Z2_6);
+    const double Z1_6 = c3 * T12 - v2 * T22;
+    const double Z2_6 = c3 * T11 - v2 * T21;
+    const double v5 = copysign(half_turn, -Z2_6);
 
     /* theta5 */
     const double X5 = a4 * T33;
     const double Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
-    const double v7 = d6 * T33 + (d3 - T34);
+    const double v6 = d6 * T33 + (d3 - T34);
     const double N5 = X5 * X5 + Y5 * Y5;
-    const double D5 = N5 - v7 * v7;
+    const double D5 = N5 - v6 * v6;
     const int free5 = N5 <= free_limit_squared2;
-    const double v8 = 2.0 * fabs(v7);
+    const double v7 = 2.0 * fabs(v6);
     const double w5 = sqrt(D5);
+    const double v8 = w5 - w5;
     const double inverse5 = 1.0 / N5;
-    const double v9 = X5 * v7;
-    const double v10 = Y5 * v7;
+    const double v9 = X5 * v6;
+    const double v10 = Y5 * v6;
     const double v11 = X5 * w5;
     const four v12 = e1 * v10;
     const four v13 = e2 * v11;
-    const four v14 = inverse5 * (v12 + v13);
+    const four v14 = v12 + v13;
     const double v15 = Y5 * w5;
-    const four s5 = inverse5 * (v15 * (e1 * e2) - v9);
-    const four q5 = atan2_four(s5, -v14);
+    const four v16 = v15 * (e1 * e2) - v9;
 
     /* r2 */
     const double wx = T14 - d6 * T13;
-    const four v16 = e1 * (w3 * s5) - T33 * v14;
-    const double v17 = a4 * v1;
-    const four q2 = wx - e1 * (v16 * v17);
+    const four v17 = e1 * (w3 * (inverse5 * v16)) - T33 * (inverse5 * v14);
+    const double v18 = a4 * v2;
+    const four q2 = wx - e1 * (v17 * v18);
 
     /* r1 */
     const double wy = T24 - d6 * T23;
-    const double v18 = a4 * c3;
-    const four q1 = wy - e1 * (v16 * v18);
+    const double v19 = a4 * c3;
+    const four q1 = wy - e1 * (v17 * v19);
 
     /* joint values */
-    const four v19 = e1 * theta45;
-    const four v20 = v19 - q5;
-    const four q4 = v20 - pick_four(half_turn < v20, all_four(m2), all_four(0.0)) + pick_four(v20 <=
-        -half_turn, all_four(m2), all_four(0.0));
-    const double v21 = w5 - w5;
-    const four q3 = v21 + (v2 + v3 * v4);
-    const four q6 = v21 + (v5 + v4 * v6);
-    const int doubt = ((-(reach_slack1 * (reach_slack1 + v8)) <= D5) & (free5 | ((merge_slack1 *
-        (merge_slack1 + v8) < D5) == 0))) | (free5 | (w3 <= free_limit));
+    const int doubt = ((-(reach_slack1 * (reach_slack1 + v7)) <= D5) & (free5 | ((merge_slack1 *
+        (merge_slack1 + v7) < D5) == 0))) | (free5 | (v1 <= m1));
+
+    const four angle1___ = atan2_four(v16, -v14);
+    const four packed2 = atan2_four((four){ -T13, -w3, -Z2_6, -T13 }, (four){ T23, -T33, -Z1_6, T23
+        });
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four v20 = e1 * angle1_;
+    const four v21 = v20 - angle1___;
+    const four q4 = v21 - pick_four(half_turn < v21, all_four(m3), all_four(0.0)) + pick_four(v21 <=
+        -half_turn, all_four(m3), all_four(0.0));
+    const four q3 = v8 + (angle1 + v3 * v4);
+    const four q6 = v8 + (angle1__ + v4 * v5);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
@@ -612,7 +620,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         return -1;
     int count = 0;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
-    store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
+    store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], angle1___, q6);
     const four_mask kind1 = kind_of(q1 != q1, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -25,6 +25,7 @@ static const double shortest2_apart = 0.010000000000001405;
 static const double free_limit_squared2 = 4.899999999999999e-25;
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+static const double m1 = 2.4009999999999992e-49; /* free_limit_squared2^2 [m^4] */
 
 const char *const planar_rr_branches[2] = {
     "down", "up",
@@ -142,25 +143,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -194,25 +197,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -227,25 +232,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -274,13 +281,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24;
-    const wide s2 = k2 * sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide c2 = k2 * (N2 - k1);
-    const wide q2_p = atan2_wide(s2, c2);
+    const wide K2 = N2 - k1;
+    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
+    const wide angle1 = atan2_wide(w2, K2);
 
     /* theta1 */
-    const wide X1_1 = a1 + a2 * c2;
-    const wide Y1_1 = a2 * s2;
+    const wide X1_1 = a1 + a2 * (k2 * K2);
+    const wide Y1_1 = a2 * (k2 * w2);
     const wide v1 = T24 * X1_1;
     const wide v2 = T14 * Y1_1;
     const wide S1_p = v1 - v2;
@@ -289,23 +296,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide v4 = T24 * Y1_1;
     const wide C1_p = v3 + v4;
     const wide C1_m = v3 - v4;
-    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
-    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
-    const wide factor1_p = 1.0 / w1_p;
-    const wide factor1_m = 1.0 / w1_m;
-    const wide q1_p = atan2_wide(S1_p * factor1_p, C1_p * factor1_p);
-    const wide q1_m = atan2_wide(S1_m * factor1_m, C1_m * factor1_m);
+    const wide angle1_ = atan2_wide(S1_p, C1_p);
+    const wide angle1__ = atan2_wide(S1_m, C1_m);
 
     /* joint values */
-    const wide_mask doubt = (w1_m <= free_limit_squared2) | ((((shortest2_reach <= N2) & (N2 <=
-        longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (w1_p <=
-        free_limit_squared2));
+    const wide_mask doubt = (S1_m * S1_m + C1_m * C1_m <= m1) | ((((shortest2_reach <= N2) & (N2 <=
+        longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (S1_p * S1_p +
+        C1_p * C1_p <= m1));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
+    q[0] = angle1_;
+    q[1] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[2] = q1_m;
-    q[3] = -q2_p;
+    q[2] = angle1__;
+    q[3] = -angle1;
     kind[1] = kind_of(q[2] != q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -374,36 +377,37 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24;
+    const double K2 = N2 - k1;
+    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
     const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart < N2)
         & (N2 < longest2_apart)) == 0);
-    const double s2 = k2 * sqrt((longest2 - N2) * (N2 - shortest2));
-    const double c2 = k2 * (N2 - k1);
-    const four q2_ = atan2_four(all_four(s2), all_four(c2));
 
     /* theta1 */
-    const double X1_1 = a1 + a2 * c2;
-    const double Y1_1 = a2 * s2;
+    const double X1_1 = a1 + a2 * (k2 * K2);
+    const double Y1_1 = a2 * (k2 * w2);
     const double v1 = T24 * X1_1;
     const double v2 = T14 * Y1_1;
     const four S1 = v1 - e1 * v2;
     const double v3 = T14 * X1_1;
     const double v4 = T24 * Y1_1;
     const four C1 = v3 + e1 * v4;
-    const four w1 = sqrt_four(S1 * S1 + C1 * C1);
-    const four factor1 = 1.0 / w1;
-    const four q1 = atan2_four(S1 * factor1, C1 * factor1);
 
     /* joint values */
-    const four q2 = e1 * q2_;
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (w1 <= free_limit_squared2);
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (S1 * S1 + C1 * C1 <= m1);
+
+    const four packed1 = atan2_four(__builtin_shufflevector(S1, all_four(w2), 0, 1, 6, 3),
+        __builtin_shufflevector(C1, all_four(K2), 0, 1, 6, 3));
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q2 = e1 * angle1;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
+    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle1_, q2);
+    const four_mask kind1 = kind_of(angle1_ != angle1_, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
     status[0] = (unsigned char)kind1[0];
     status[1] = (unsigned char)kind1[1];

@@ -30,7 +30,9 @@ static const double pose_slack1 = 8.5e-06; /* a pose may be rounded by this [m] 
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.283185307179586; /* 2 * half_turn */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 5.220062499999998e-49; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const planar_rrr_branches[2] = {
     "down", "up",
@@ -203,25 +205,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -255,25 +259,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -288,25 +294,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -346,74 +354,74 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta123 */
-    const wide w123 = sqrt_wide(T21 * T21 + T11 * T11);
-    const wide_mask free123 = w123 <= free_limit_squared;
-    const wide v1 = 1.0 / w123;
-    const wide c123 = T11 * v1;
-    const wide s123 = T21 * v1;
-    const wide theta123 = atan2_wide(s123, c123);
+    const wide v1 = T21 * T21 + T11 * T11;
+    const wide_mask free123 = v1 <= m1;
+    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide c123 = T11 * v2;
+    const wide s123 = T21 * v2;
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide v2 = a3 * c123;
-    const wide Z1_2 = T14 - v2;
-    const wide v3 = a3 * s123;
-    const wide Z2_2 = T24 - v3;
+    const wide v3 = a3 * c123;
+    const wide Z1_2 = T14 - v3;
+    const wide v4 = a3 * s123;
+    const wide Z2_2 = T24 - v4;
     const wide N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
-    const wide s2 = k2 * sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide c2 = k2 * (N2 - k1);
-    const wide q2_ = atan2_wide(s2, c2);
+    const wide K2 = N2 - k1;
+    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
+    const wide s2 = k2 * w2;
+    const wide c2 = k2 * K2;
+    const wide angle1_ = atan2_wide(w2, K2);
 
     /* theta1 */
     const wide X1_1 = a1 + a2 * c2;
     const wide Y1_1 = a2 * s2;
-    const wide v4 = Z2_2 * X1_1;
-    const wide v5 = Z1_2 * Y1_1;
-    const wide S1_p = v4 - v5;
-    const wide S1_m = v4 + v5;
-    const wide v6 = Z1_2 * X1_1;
-    const wide v7 = Z2_2 * Y1_1;
-    const wide C1_p = v6 + v7;
-    const wide C1_m = v6 - v7;
-    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
-    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
-    const wide_mask free1_p = w1_p <= free_limit_squared2;
-    const wide_mask free1_m = w1_m <= free_limit_squared2;
-    const wide factor1_p = 1.0 / w1_p;
-    const wide factor1_m = 1.0 / w1_m;
+    const wide v5 = Z2_2 * X1_1;
+    const wide v6 = Z1_2 * Y1_1;
+    const wide S1_p = v5 - v6;
+    const wide S1_m = v5 + v6;
+    const wide v7 = Z1_2 * X1_1;
+    const wide v8 = Z2_2 * Y1_1;
+    const wide C1_p = v7 + v8;
+    const wide C1_m = v7 - v8;
+    const wide v9 = S1_p * S1_p + C1_p * C1_p;
+    const wide v10 = S1_m * S1_m + C1_m * C1_m;
+    const wide_mask free1_p = v9 <= m2;
+    const wide_mask free1_m = v10 <= m2;
+    const wide factor1_p = 1.0 / sqrt_wide(v9);
+    const wide factor1_m = 1.0 / sqrt_wide(v10);
     const wide c1_p = C1_p * factor1_p;
     const wide c1_m = C1_m * factor1_m;
     const wide s1_p = S1_p * factor1_p;
     const wide s1_m = S1_m * factor1_m;
-    const wide q1__p = atan2_wide(s1_p, c1_p);
-    const wide q1__m = atan2_wide(s1_m, c1_m);
+    const wide angle1__ = atan2_wide(S1_p, C1_p);
+    const wide angle1___ = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = sqrt_wide(pick_wide((abs_wide(T34) <= pose_slack1) & ((abs_wide(T33 - 1.0) <=
-        pose_slack) & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
-        ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c123) <= pose_slack) & ((abs_wide(T21 -
-        s123) <= pose_slack) & ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c123) <=
-        pose_slack) & (abs_wide(s123 + T12) <= pose_slack))))))))), all_wide(0.0), all_wide(-1.0)));
-    const wide v9 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + (v2 + a1 *
-        c1_p))) <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + (v3 + a1 * s1_p)))
-        <= pose_slack1), all_wide(0.0), all_wide(-1.0)));
-    const wide v10 = sqrt_wide(pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + (v2 + a1 *
-        c1_m))) <= pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + (v3 + a1 * s1_m)))
-        <= pose_slack1), all_wide(0.0), all_wide(-1.0)));
+    const double v11 = sqrt(-1.0);
+    const wide v12 = pick_wide((abs_wide(T34) <= pose_slack1) & ((abs_wide(T33 - 1.0) <= pose_slack)
+        & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <=
+        pose_slack) & ((abs_wide(T22 - c123) <= pose_slack) & ((abs_wide(T21 - s123) <= pose_slack)
+        & ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c123) <= pose_slack) & (abs_wide(s123 +
+        T12) <= pose_slack))))))))), all_wide(0.0), all_wide(v11));
+    const wide v13 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + (v3 + a1 * c1_p))) <=
+        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + (v4 + a1 * s1_p))) <=
+        pose_slack1), all_wide(0.0), all_wide(v11));
+    const wide v14 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + (v3 + a1 * c1_m))) <=
+        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + (v4 + a1 * s1_m))) <=
+        pose_slack1), all_wide(0.0), all_wide(v11));
 
     /* joint values */
-    const wide v11 = theta123 - (q2_ + q1__p);
-    const wide v12 = theta123 - (q1__m - q2_);
-    const wide v13 = v8 - v8;
-    const wide v14 = v9 - v9;
-    const wide v15 = v10 - v10;
-    const wide q1_p = v14 + (q1__p + v13);
-    const wide q1_m = v15 + (q1__m + v13);
-    const wide q2_p = v14 + (q2_ + v13);
-    const wide q2_m = v15 + (v13 - q2_);
-    const wide q3_p = v14 + (v13 + (v11 - pick_wide(half_turn < v11, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v11 <= -half_turn, all_wide(m1), all_wide(0.0))));
-    const wide q3_m = v15 + (v13 + (v12 - pick_wide(half_turn < v12, all_wide(m1), all_wide(0.0)) +
-        pick_wide(v12 <= -half_turn, all_wide(m1), all_wide(0.0))));
+    const wide v15 = angle1 - (angle1_ + angle1__);
+    const wide v16 = angle1 - (angle1___ - angle1_);
+    const wide q1_p = v13 + (angle1__ + v12);
+    const wide q1_m = v14 + (angle1___ + v12);
+    const wide q2_p = v13 + (angle1_ + v12);
+    const wide q2_m = v14 + (v12 - angle1_);
+    const wide q3_p = v13 + (v12 + (v15 - pick_wide(half_turn < v15, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v15 <= -half_turn, all_wide(m3), all_wide(0.0))));
+    const wide q3_m = v14 + (v12 + (v16 - pick_wide(half_turn < v16, all_wide(m3), all_wide(0.0)) +
+        pick_wide(v16 <= -half_turn, all_wide(m3), all_wide(0.0))));
     const wide_mask doubt = (free1_m | (free123 | free1_m)) | ((free123 | (((shortest2_reach <= N2)
         & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
         (free1_p | (free123 | free1_p)));
@@ -504,62 +512,67 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta123 */
-    const double w123 = sqrt(T21 * T21 + T11 * T11);
-    const int free123 = w123 <= free_limit_squared;
-    const double v1 = 1.0 / w123;
-    const double c123 = T11 * v1;
-    const double s123 = T21 * v1;
-    const four theta123 = atan2_four(all_four(s123), all_four(c123));
+    const double v1 = T21 * T21 + T11 * T11;
+    const int free123 = v1 <= m1;
+    const double v2 = 1.0 / sqrt(v1);
+    const double c123 = T11 * v2;
+    const double s123 = T21 * v2;
 
     /* theta2 */
-    const double v2 = a3 * c123;
-    const double Z1_2 = T14 - v2;
-    const double v3 = a3 * s123;
-    const double Z2_2 = T24 - v3;
+    const double v3 = a3 * c123;
+    const double Z1_2 = T14 - v3;
+    const double v4 = a3 * s123;
+    const double Z2_2 = T24 - v4;
     const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
-    const double s2 = k2 * sqrt((longest2 - N2) * (N2 - shortest2));
-    const double c2 = k2 * (N2 - k1);
-    const four q2_ = atan2_four(all_four(s2), all_four(c2));
+    const double K2 = N2 - k1;
+    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double s2 = k2 * w2;
+    const double c2 = k2 * K2;
 
     /* theta1 */
     const double X1_1 = a1 + a2 * c2;
     const double Y1_1 = a2 * s2;
-    const double v4 = Z2_2 * X1_1;
-    const double v5 = Z1_2 * Y1_1;
-    const four S1 = v4 - e1 * v5;
-    const double v6 = Z1_2 * X1_1;
-    const double v7 = Z2_2 * Y1_1;
-    const four C1 = v6 + e1 * v7;
-    const four w1 = sqrt_four(S1 * S1 + C1 * C1);
-    const four_mask free1 = w1 <= free_limit_squared2;
-    const four factor1 = 1.0 / w1;
+    const double v5 = Z2_2 * X1_1;
+    const double v6 = Z1_2 * Y1_1;
+    const four S1 = v5 - e1 * v6;
+    const double v7 = Z1_2 * X1_1;
+    const double v8 = Z2_2 * Y1_1;
+    const four C1 = v7 + e1 * v8;
+    const four v9 = S1 * S1 + C1 * C1;
+    const four_mask free1 = v9 <= m2;
+    const four factor1 = 1.0 / sqrt_four(v9);
     const four c1 = C1 * factor1;
     const four s1 = S1 * factor1;
-    const four q1_ = atan2_four(s1, c1);
 
     /* is the pose one that the arm can take? */
-    const double v8 = sqrt(((fabs(T34) <= pose_slack1) & ((fabs(T33 - 1.0) <= pose_slack) &
-        ((fabs(T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <= pose_slack) &
-        ((fabs(T22 - c123) <= pose_slack) & ((fabs(T21 - s123) <= pose_slack) & ((fabs(T13) <=
-        pose_slack) & ((fabs(T11 - c123) <= pose_slack) & (fabs(s123 + T12) <= pose_slack))))))))))
-        ? 0.0 : (-1.0));
-    const four v9 = sqrt_four(pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + (v2 + a1
-        * c1))) <= pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + (v3 + a1 *
-        s1))) <= pose_slack1), all_four(0.0), all_four(-1.0)));
+    const double v10 = sqrt(-1.0);
+    const double v11 = ((fabs(T34) <= pose_slack1) & ((fabs(T33 - 1.0) <= pose_slack) & ((fabs(T32)
+        <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(T22 -
+        c123) <= pose_slack) & ((fabs(T21 - s123) <= pose_slack) & ((fabs(T13) <= pose_slack) &
+        ((fabs(T11 - c123) <= pose_slack) & (fabs(s123 + T12) <= pose_slack)))))))))) ? 0.0 : v10;
+    const four v12 = pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + (v3 + a1 * c1)))
+        <= pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + (v4 + a1 * s1))) <=
+        pose_slack1), all_four(0.0), all_four(v10));
 
     /* joint values */
-    const four v10 = e1 * q2_;
-    const four v11 = theta123 - (q1_ + v10);
-    const double v12 = v8 - v8;
-    const four v13 = v9 - v9;
-    const four q1 = v13 + (q1_ + v12);
-    const four q2 = v13 + (v10 + v12);
-    const four q3 = v13 + (v12 + (v11 - pick_four(half_turn < v11, all_four(m1), all_four(0.0)) +
-        pick_four(v11 <= -half_turn, all_four(m1), all_four(0.0))));
     const int doubt1 = free123 | (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
     const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free1 | ((all_four(free123 ? 1.0
         : 0.0) > 0.0) | free1));
+
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
+        all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3),
+        all_four(K2), 0, 1, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four v13 = e1 * angle1_;
+    const four v14 = angle1 - (angle1__ + v13);
+    const four q1 = v12 + (angle1__ + v11);
+    const four q2 = v12 + (v11 + v13);
+    const four q3 = v12 + (v11 + (v14 - pick_four(half_turn < v14, all_four(m3), all_four(0.0)) +
+        pick_four(v14 <= -half_turn, all_four(m3), all_four(0.0))));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -32,8 +32,11 @@ static const double f1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double f2 = 0.09800665778412417; /* d3 * cat2 [m] */
 static const double g1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
+static const double turn1 = -1.754739783332072; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const prismatic_2_wrist_branches[8] = {
     "left-noflip3-noflip4", "left-noflip3-flip4", "left-flip3-noflip4", "left-flip3-flip4",
@@ -271,25 +274,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -323,25 +328,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -356,25 +363,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -425,192 +434,191 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide v3 = 2.0 * abs_wide(Z1);
     const wide w1 = sqrt_wide(D1);
+    const wide v4 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v4 = v1 * Z1;
-    const wide v5 = v2 * Z1;
-    const wide v6 = v1 * w1;
-    const wide c1_p = inverse1 * (v6 - v5);
-    const wide v7 = inverse1 * (v5 + v6);
-    const wide v8 = v2 * w1;
-    const wide v9 = inverse1 * (v4 + v8);
-    const wide v10 = inverse1 * (v4 - v8);
+    const wide v5 = v1 * Z1;
+    const wide v6 = v2 * Z1;
+    const wide v7 = v1 * w1;
+    const wide v8 = v7 - v6;
+    const wide v9 = v6 + v7;
+    const wide c1_p = inverse1 * v8;
+    const wide v10 = inverse1 * v9;
+    const wide v11 = v2 * w1;
+    const wide v12 = v5 + v11;
+    const wide v13 = v5 - v11;
+    const wide v14 = inverse1 * v12;
+    const wide v15 = inverse1 * v13;
 
     /* theta3 */
     const wide Z3 = wz - k4;
     const wide D3 = k5 - Z3 * Z3;
-    const wide v11 = 2.0 * abs_wide(Z3);
+    const wide v16 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v12 = k2 * Z3;
-    const wide v13 = k3 * Z3;
-    const wide v14 = k2 * w3;
-    const wide v15 = k6 * (v13 + v14);
-    const wide v16 = k6 * (v13 - v14);
-    const wide v17 = k3 * w3;
-    const wide s3_p = k6 * (v12 - v17);
-    const wide s3_m = k6 * (v12 + v17);
+    const wide v17 = w3 - w3;
+    const wide v18 = k2 * Z3;
+    const wide v19 = k3 * Z3;
+    const wide v20 = k2 * w3;
+    const wide v21 = k6 * (v19 + v20);
+    const wide v22 = k6 * (v19 - v20);
+    const wide v23 = k3 * w3;
+    const wide s3_p = k6 * (v18 - v23);
+    const wide s3_m = k6 * (v18 + v23);
+    const wide angle1 = atan2_wide(w3, Z3);
+    const wide q3__p = angle1 - turn1;
+    const wide v24 = turn1 + angle1;
 
     /* r2 */
-    const wide v18 = a3 * s3_p - d4 * v15;
-    const wide v19 = a3 * s3_m - d4 * v16;
-    const wide v20 = c1_p * -wy - wx * v9;
-    const wide v21 = v7 * -wy + wx * v10;
+    const wide v25 = a3 * s3_p - d4 * v21;
+    const wide v26 = a3 * s3_m - d4 * v22;
+    const wide v27 = c1_p * -wy - wx * v14;
+    const wide v28 = v10 * -wy + wx * v15;
 
     /* theta4 */
-    const wide v22 = cat2 * T13;
-    const wide v23 = cat2 * T23;
-    const wide v24 = sat2 * T33;
-    const wide v25 = c1_p * v22 - v9 * v23 - v24;
-    const wide v26 = v24 + (v7 * v22 + v10 * v23);
-    const wide v27 = T13 * v9 + T23 * c1_p;
-    const wide v28 = T13 * v10 - T23 * v7;
-    const wide X4_pp = v15 * v25 - s3_p * v27;
-    const wide X4_pm = v16 * v25 - s3_m * v27;
-    const wide v29 = v15 * v26 + s3_p * v28;
-    const wide v30 = v16 * v26 + s3_m * v28;
-    const wide v31 = sat2 * T13;
-    const wide v32 = sat2 * T23;
-    const wide v33 = cat2 * T33;
-    const wide v34 = v33 + (c1_p * v31 - v9 * v32);
-    const wide v35 = v33 - (v7 * v31 + v10 * v32);
-    const wide v36 = v34 * v34;
-    const wide v37 = v35 * v35;
-    const wide w4_pp = sqrt_wide(v36 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v36 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v37 + v29 * v29);
-    const wide w4_mm = sqrt_wide(v37 + v30 * v30);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v38 = X4_pp * factor4_pp;
-    const wide v39 = X4_pm * factor4_pm;
-    const wide v40 = v29 * factor4_mp;
-    const wide v41 = v30 * factor4_mm;
-    const wide v42 = v34 * factor4_pp;
-    const wide v43 = v34 * factor4_pm;
-    const wide v44 = v35 * factor4_mp;
-    const wide v45 = v35 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v42, -v38);
-    const wide q4_pmp = atan2_wide(-v43, -v39);
-    const wide q4_mpp = atan2_wide(-v44, v40);
-    const wide q4_mmp = atan2_wide(-v45, v41);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v42) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v43) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v44) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v45) * h1;
+    const wide v29 = cat2 * T13;
+    const wide v30 = cat2 * T23;
+    const wide v31 = sat2 * T33;
+    const wide v32 = c1_p * v29 - v14 * v30 - v31;
+    const wide v33 = v31 + (v10 * v29 + v15 * v30);
+    const wide v34 = T13 * v14 + T23 * c1_p;
+    const wide v35 = T13 * v15 - T23 * v10;
+    const wide X4_pp = v21 * v32 - s3_p * v34;
+    const wide X4_pm = v22 * v32 - s3_m * v34;
+    const wide v36 = v21 * v33 + s3_p * v35;
+    const wide v37 = v22 * v33 + s3_m * v35;
+    const wide v38 = sat2 * T13;
+    const wide v39 = sat2 * T23;
+    const wide v40 = cat2 * T33;
+    const wide v41 = v40 + (c1_p * v38 - v14 * v39);
+    const wide v42 = v40 - (v10 * v38 + v15 * v39);
+    const wide v43 = v41 * v41;
+    const wide v44 = v42 * v42;
+    const wide v45 = v43 + X4_pp * X4_pp;
+    const wide v46 = v43 + X4_pm * X4_pm;
+    const wide v47 = v44 + v36 * v36;
+    const wide v48 = v44 + v37 * v37;
+    const wide angle1_ = atan2_wide(-v41, -X4_pp);
+    const wide angle1__ = atan2_wide(-v41, -X4_pm);
+    const wide angle1___ = atan2_wide(-v42, v36);
+    const wide angle1____ = atan2_wide(-v42, v37);
+    const wide v49 = copysign_wide(all_wide(half_turn), -v41) * h1;
+    const wide v50 = copysign_wide(all_wide(half_turn), -v42) * h1;
+    const wide q4_ppm = angle1_ - v49;
+    const wide q4_pmm = angle1__ - v49;
+    const wide q4_mpm = angle1___ - v50;
+    const wide q4_mmm = angle1____ - v50;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(-w4_pp, -(v15 * v27 + s3_p * v25));
-    const wide q5_pmp = atan2_wide(-w4_pm, -(v16 * v27 + s3_m * v25));
-    const wide q5_mpp = atan2_wide(-w4_mp, s3_p * v26 - v15 * v28);
-    const wide q5_mmp = atan2_wide(-w4_mm, s3_m * v26 - v16 * v28);
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v45), -(v21 * v34 + s3_p * v32));
+    const wide angle1______ = atan2_wide(-sqrt_wide(v46), -(v22 * v34 + s3_m * v32));
+    const wide angle1_______ = atan2_wide(-sqrt_wide(v47), s3_p * v33 - v21 * v35);
+    const wide angle1________ = atan2_wide(-sqrt_wide(v48), s3_m * v33 - v22 * v35);
 
     /* theta6 */
-    const wide v46 = sat2 * T12;
-    const wide v47 = sat2 * T22;
-    const wide v48 = cat2 * T32;
-    const wide v49 = v48 + (c1_p * v46 - v9 * v47);
-    const wide v50 = v48 - (v7 * v46 + v10 * v47);
-    const wide v51 = cat2 * T12;
-    const wide v52 = cat2 * T22;
-    const wide v53 = sat2 * T32;
-    const wide v54 = c1_p * v51 - v9 * v52 - v53;
-    const wide v55 = v53 + (v7 * v51 + v10 * v52);
-    const wide v56 = c1_p * T22 + v9 * T12;
-    const wide v57 = v10 * T12 - v7 * T22;
-    const wide v58 = sat2 * T11;
-    const wide v59 = sat2 * T21;
-    const wide v60 = cat2 * T31;
-    const wide v61 = v60 + (c1_p * v58 - v9 * v59);
-    const wide v62 = v60 - (v7 * v58 + v10 * v59);
-    const wide v63 = cat2 * T11;
-    const wide v64 = cat2 * T21;
-    const wide v65 = sat2 * T31;
-    const wide v66 = c1_p * v63 - v9 * v64 - v65;
-    const wide v67 = v65 + (v7 * v63 + v10 * v64);
-    const wide v68 = c1_p * T21 + v9 * T11;
-    const wide v69 = v10 * T11 - v7 * T21;
-    const wide v70 = v38 * v61 + v42 * (s3_p * v68 - v15 * v66);
-    const wide v71 = v39 * v61 + v43 * (s3_m * v68 - v16 * v66);
-    const wide v72 = v44 * (s3_p * v69 + v15 * v67) - v40 * v62;
-    const wide v73 = v45 * (s3_m * v69 + v16 * v67) - v41 * v62;
-    const wide q6_ppp = atan2_wide(v70, v38 * v49 + v42 * (s3_p * v56 - v15 * v54));
-    const wide q6_pmp = atan2_wide(v71, v39 * v49 + v43 * (s3_m * v56 - v16 * v54));
-    const wide q6_mpp = atan2_wide(v72, v44 * (s3_p * v57 + v15 * v55) - v40 * v50);
-    const wide q6_mmp = atan2_wide(v73, v45 * (s3_m * v57 + v16 * v55) - v41 * v50);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v70);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v71);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v72);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v73);
+    const wide v51 = sat2 * T12;
+    const wide v52 = sat2 * T22;
+    const wide v53 = cat2 * T32;
+    const wide v54 = v53 + (c1_p * v51 - v14 * v52);
+    const wide v55 = v53 - (v10 * v51 + v15 * v52);
+    const wide v56 = cat2 * T12;
+    const wide v57 = cat2 * T22;
+    const wide v58 = sat2 * T32;
+    const wide v59 = c1_p * v56 - v14 * v57 - v58;
+    const wide v60 = v58 + (v10 * v56 + v15 * v57);
+    const wide v61 = c1_p * T22 + v14 * T12;
+    const wide v62 = v15 * T12 - v10 * T22;
+    const wide v63 = sat2 * T11;
+    const wide v64 = sat2 * T21;
+    const wide v65 = cat2 * T31;
+    const wide v66 = v65 + (c1_p * v63 - v14 * v64);
+    const wide v67 = v65 - (v10 * v63 + v15 * v64);
+    const wide v68 = cat2 * T11;
+    const wide v69 = cat2 * T21;
+    const wide v70 = sat2 * T31;
+    const wide v71 = c1_p * v68 - v14 * v69 - v70;
+    const wide v72 = v70 + (v10 * v68 + v15 * v69);
+    const wide v73 = c1_p * T21 + v14 * T11;
+    const wide v74 = v15 * T11 - v10 * T21;
+    const wide v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66;
+    const wide v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66;
+    const wide v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67;
+    const wide v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67;
+    const wide angle1_________ = atan2_wide(v75, v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54);
+    const wide angle1__________ = atan2_wide(v76, v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54);
+    const wide angle1___________ = atan2_wide(v77, v42 * (s3_p * v62 + v21 * v60) - v36 * v55);
+    const wide angle1____________ = atan2_wide(v78, v42 * (s3_m * v62 + v22 * v60) - v37 * v55);
+    const wide q6_ppm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v75);
+    const wide q6_pmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v76);
+    const wide q6_mpm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v77);
+    const wide q6_mmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), v78);
 
     /* joint values */
-    const wide v74 = w3 - w3;
-    const wide q1_ppp = v74 + atan2_wide(-v9, c1_p);
-    const wide q1_mpp = v74 + atan2_wide(-v10, -v7);
-    const wide v75 = w1 - w1;
-    const wide q3_ppp = v75 + atan2_wide(s3_p, -v15);
-    const wide q3_pmp = v75 + atan2_wide(s3_m, -v16);
-    const wide q2_mpp = v21 - v18;
-    const wide q2_mmp = v21 - v19;
-    const wide_mask doubt = (w4_mm <= free_limit) | ((w4_mp <= free_limit) | ((w4_pm <= free_limit)
-        | ((w4_pp <= free_limit) | (((-(reach_slack1 * (reach_slack1 + v11)) <= D3) & ((merge_slack1
-        * (merge_slack1 + v11) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <=
-        D1) & (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))))))));
+    const wide angle1_____________ = atan2_wide(-v12, v8);
+    const wide q1_ppp = v17 + angle1_____________;
+    const wide angle1______________ = atan2_wide(-v13, -v9);
+    const wide q1_mpp = v17 + angle1______________;
+    const wide q3_ppp = v4 + (q3__p - pick_wide(half_turn < q3__p, all_wide(m3), all_wide(0.0)));
+    const wide q3_pmp = v4 - (v24 + pick_wide(half_turn < -v24, all_wide(m3), all_wide(0.0)));
+    const wide q2_mpp = v28 - v25;
+    const wide q2_mmp = v28 - v26;
+    const wide_mask doubt = (v48 <= m1) | ((v47 <= m1) | ((v46 <= m1) | ((v45 <= m1) |
+        (((-(reach_slack1 * (reach_slack1 + v16)) <= D3) & ((merge_slack1 * (merge_slack1 + v16) <
+        D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
+        ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))))))));
 
     q[0] = q1_ppp;
-    q[1] = -(v18 + v20);
+    q[1] = -(v25 + v27);
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1_;
+    q[4] = angle1_____;
+    q[5] = angle1_________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = -(v18 + v20);
+    q[7] = -(v25 + v27);
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1_____;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = -(v19 + v20);
+    q[13] = -(v26 + v27);
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1__;
+    q[16] = angle1______;
+    q[17] = angle1__________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = -(v19 + v20);
+    q[19] = -(v26 + v27);
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1______;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1___;
+    q[28] = angle1_______;
+    q[29] = angle1___________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1_______;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1____;
+    q[40] = angle1________;
+    q[41] = angle1____________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -703,100 +711,104 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int free1 = N1 <= free_limit_squared2;
     const double v3 = 2.0 * fabs(Z1);
     const double w1 = sqrt(D1);
+    const double v4 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v4 = v1 * Z1;
-    const double v5 = v2 * Z1;
-    const double v6 = v1 * w1;
-    const four c1 = inverse1 * (e1 * v6 - v5);
-    const double v7 = v2 * w1;
-    const four v8 = inverse1 * (v4 + e1 * v7);
+    const double v5 = v1 * Z1;
+    const double v6 = v2 * Z1;
+    const double v7 = v1 * w1;
+    const four v8 = e1 * v7 - v6;
+    const four c1 = inverse1 * v8;
+    const double v9 = v2 * w1;
+    const four v10 = v5 + e1 * v9;
+    const four v11 = inverse1 * v10;
 
     /* theta3 */
     const double Z3 = wz - k4;
     const double D3 = k5 - Z3 * Z3;
-    const double v9 = 2.0 * fabs(Z3);
+    const double v12 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v10 = k2 * Z3;
-    const double v11 = k3 * Z3;
-    const double v12 = k2 * w3;
-    const four v13 = k6 * (v11 + e2 * v12);
-    const double v14 = k3 * w3;
-    const four s3 = k6 * (v10 - e2 * v14);
+    const double v13 = w3 - w3;
+    const double v14 = k2 * Z3;
+    const double v15 = k3 * Z3;
+    const double v16 = k2 * w3;
+    const four v17 = k6 * (v15 + e2 * v16);
+    const double v18 = k3 * w3;
+    const four s3 = k6 * (v14 - e2 * v18);
 
     /* r2 */
-    const four v15 = a3 * s3 - d4 * v13;
-    const four v16 = c1 * -wy - wx * v8;
+    const four v19 = a3 * s3 - d4 * v17;
+    const four v20 = c1 * -wy - wx * v11;
 
     /* theta4 */
-    const double v17 = cat2 * T13;
-    const double v18 = cat2 * T23;
-    const double v19 = sat2 * T33;
-    const four v20 = c1 * v17 - v8 * v18 - v19;
-    const four v21 = T13 * v8 + T23 * c1;
-    const four X4 = v13 * v20 - s3 * v21;
-    const double v22 = sat2 * T13;
-    const double v23 = sat2 * T23;
-    const double v24 = cat2 * T33;
-    const four v25 = v24 + (c1 * v22 - v8 * v23);
-    const four v26 = v25 * v25;
-    const four w4 = sqrt_four(v26 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v27 = X4 * factor4;
-    const four v28 = v25 * factor4;
-    const four q4_p = atan2_four(-v28, -v27);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v28) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(-w4, -(v13 * v21 + s3 * v20));
+    const double v21 = cat2 * T13;
+    const double v22 = cat2 * T23;
+    const double v23 = sat2 * T33;
+    const four v24 = c1 * v21 - v11 * v22 - v23;
+    const four v25 = T13 * v11 + T23 * c1;
+    const four X4 = v17 * v24 - s3 * v25;
+    const double v26 = sat2 * T13;
+    const double v27 = sat2 * T23;
+    const double v28 = cat2 * T33;
+    const four v29 = v28 + (c1 * v26 - v11 * v27);
+    const four v30 = v29 * v29;
+    const four v31 = v30 + X4 * X4;
+    const four v32 = copysign_four(all_four(half_turn), -v29) * h1;
 
     /* theta6 */
-    const double v29 = sat2 * T12;
-    const double v30 = sat2 * T22;
-    const double v31 = cat2 * T32;
-    const four v32 = v31 + (c1 * v29 - v8 * v30);
-    const double v33 = cat2 * T12;
-    const double v34 = cat2 * T22;
-    const double v35 = sat2 * T32;
-    const four v36 = c1 * v33 - v8 * v34 - v35;
-    const four v37 = c1 * T22 + v8 * T12;
-    const double v38 = sat2 * T11;
-    const double v39 = sat2 * T21;
-    const double v40 = cat2 * T31;
-    const four v41 = v40 + (c1 * v38 - v8 * v39);
-    const double v42 = cat2 * T11;
-    const double v43 = cat2 * T21;
-    const double v44 = sat2 * T31;
-    const four v45 = c1 * v42 - v8 * v43 - v44;
-    const four v46 = c1 * T21 + v8 * T11;
-    const four v47 = v27 * v41 + v28 * (s3 * v46 - v13 * v45);
-    const four q6_p = atan2_four(v47, v27 * v32 + v28 * (s3 * v37 - v13 * v36));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v47);
+    const double v33 = sat2 * T12;
+    const double v34 = sat2 * T22;
+    const double v35 = cat2 * T32;
+    const four v36 = v35 + (c1 * v33 - v11 * v34);
+    const double v37 = cat2 * T12;
+    const double v38 = cat2 * T22;
+    const double v39 = sat2 * T32;
+    const four v40 = c1 * v37 - v11 * v38 - v39;
+    const four v41 = c1 * T22 + v11 * T12;
+    const double v42 = sat2 * T11;
+    const double v43 = sat2 * T21;
+    const double v44 = cat2 * T31;
+    const four v45 = v44 + (c1 * v42 - v11 * v43);
+    const double v46 = cat2 * T11;
+    const double v47 = cat2 * T21;
+    const double v48 = sat2 * T31;
+    const four v49 = c1 * v46 - v11 * v47 - v48;
+    const four v50 = c1 * T21 + v11 * T11;
+    const four v51 = v29 * (s3 * v50 - v17 * v49) - -X4 * v45;
 
     /* joint values */
-    const double v48 = w3 - w3;
-    const four q1_p = v48 + atan2_four(-v8, c1);
-    const double v49 = w1 - w1;
-    const four q3_p = v49 + atan2_four(s3, -v13);
-    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v9)) <= D3) & ((merge_slack1 *
-        (merge_slack1 + v9) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) &
-        (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))));
-    const four_mask doubt = (w4 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v12)) <= D3) & ((merge_slack1 *
+        (merge_slack1 + v12) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1)
+        & (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))));
+    const four_mask doubt = (v31 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    const four angle1_ = atan2_four(-v29, -X4);
+    const four angle1__ = atan2_four(-sqrt_four(v31), -(v17 * v25 + s3 * v24));
+    const four angle1___ = atan2_four(v51, v29 * (s3 * v41 - v17 * v40) - -X4 * v36);
+    const four packed4 = atan2_four(__builtin_shufflevector(-v10, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(v8, all_four(Z3), 0, 5, 2, 3));
+    const four angle1____ = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed4, packed4, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1 - turn1;
+    const four q4_m = angle1_ - v32;
+    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v51);
+    const four q1_p = v13 + angle1____;
+    const four q3_p = v4 + (q3_ - pick_four(half_turn < q3_, all_four(m3), all_four(0.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v15 + v16), q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v19 + v20), q3_p, angle1_);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1__, angle1___);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v15 + v16), q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v19 + v20), q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1__, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

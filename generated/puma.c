@@ -32,7 +32,9 @@ static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
 static const double f1 = 0.8636; /* L2 + D4 [m] */
 static const double g1 = 0.8636; /* L2 + D4 [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.0557281429245738e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -274,25 +276,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -326,25 +330,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -359,25 +365,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -423,189 +431,192 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
+    const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = D3 * t24;
-    const wide v2 = D3 * t14;
-    const wide v3 = t24 * w1;
-    const wide c1_p = inverse1 * (v2 + v3);
-    const wide c1_m = inverse1 * (v2 - v3);
-    const wide v4 = t14 * w1;
-    const wide s1_p = inverse1 * (v1 - v4);
-    const wide s1_m = inverse1 * (v1 + v4);
+    const wide v2 = D3 * t24;
+    const wide v3 = D3 * t14;
+    const wide v4 = t24 * w1;
+    const wide v5 = v3 + v4;
+    const wide v6 = v3 - v4;
+    const wide c1_p = inverse1 * v5;
+    const wide c1_m = inverse1 * v6;
+    const wide v7 = t14 * w1;
+    const wide v8 = v2 - v7;
+    const wide v9 = v2 + v7;
+    const wide s1_p = inverse1 * v8;
+    const wide s1_m = inverse1 * v9;
 
     /* theta3 */
     const wide t34 = T34 + D3 * T31 + k1 * T33;
-    const wide N3 = t34 * t34 + w1 * w1;
+    const wide N3 = D1 + t34 * t34;
+    const wide K3 = N3 - k5;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
+    const wide v10 = w3 - w3;
     const wide s3 = k6 * w3;
-    const wide c3 = k6 * (N3 - k5);
-    const wide q3_ppp = atan2_wide(s3, c3);
+    const wide c3 = k6 * K3;
+    const wide angle1 = atan2_wide(w3, K3);
 
     /* theta2 */
-    const wide v5 = D4 * s3;
+    const wide v11 = D4 * s3;
     const wide Y1_2 = L2 + D4 * c3;
-    const wide v6 = w1 * Y1_2;
-    const wide v7 = t34 * v5;
-    const wide v8 = v6 + v7;
-    const wide v9 = v6 - v7;
-    const wide v10 = t34 * Y1_2;
-    const wide v11 = w1 * v5;
-    const wide C2_pp = v10 - v11;
-    const wide C2_pm = v10 + v11;
-    const wide w2_pp = sqrt_wide(v8 * v8 + C2_pp * C2_pp);
-    const wide v12 = C2_pm * C2_pm;
-    const wide w2_pm = sqrt_wide(v9 * v9 + v12);
-    const wide w2_mp = sqrt_wide(v12 + -v9 * -v9);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
+    const wide v12 = w1 * Y1_2;
+    const wide v13 = t34 * v11;
+    const wide v14 = v12 + v13;
+    const wide v15 = v12 - v13;
+    const wide v16 = t34 * Y1_2;
+    const wide v17 = w1 * v11;
+    const wide C2_pp = v16 - v17;
+    const wide C2_pm = v16 + v17;
+    const wide v18 = v14 * v14 + C2_pp * C2_pp;
+    const wide v19 = C2_pm * C2_pm;
+    const wide v20 = v15 * v15 + v19;
+    const wide v21 = v19 + -v15 * -v15;
+    const wide factor2_pp = 1.0 / sqrt_wide(v18);
+    const wide factor2_pm = 1.0 / sqrt_wide(v20);
+    const wide factor2_mp = 1.0 / sqrt_wide(v21);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_pm * factor2_mp;
-    const wide v13 = v8 * factor2_pp;
-    const wide v14 = v9 * factor2_pm;
-    const wide v15 = -v9 * factor2_mp;
-    const wide q2_ppp = atan2_wide(-v13, c2_pp);
-    const wide q2_pmp = atan2_wide(-v14, c2_pm);
-    const wide q2_mpp = atan2_wide(-v15, c2_mp);
-    const wide q2_mmp = atan2_wide(v13, c2_pp);
+    const wide v22 = v14 * factor2_pp;
+    const wide v23 = v15 * factor2_pm;
+    const wide v24 = -v15 * factor2_mp;
+    const wide angle1_ = atan2_wide(-v14, C2_pp);
+    const wide angle1__ = atan2_wide(-v15, C2_pm);
+    const wide angle1___ = atan2_wide(v15, C2_pm);
+    const wide angle1____ = atan2_wide(v14, C2_pp);
 
     /* theta4 */
-    const wide c23_pp = c3 * c2_pp + s3 * v13;
-    const wide c23_pm = c3 * c2_pm - s3 * v14;
-    const wide c23_mp = c3 * c2_mp + s3 * v15;
-    const wide s23_pp = s3 * c2_pp - c3 * v13;
-    const wide v16 = s3 * c2_pm + c3 * v14;
-    const wide s23_mp = s3 * c2_mp - c3 * v15;
-    const wide v17 = T13 * s1_p - T23 * c1_p;
-    const wide v18 = T13 * s1_m - T23 * c1_m;
-    const wide X4_pp = c23_pp * v17 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v17 + T33 * v16;
-    const wide X4_mp = c23_mp * v18 - T33 * s23_mp;
-    const wide X4_mm = c23_pp * v18 - T33 * -s23_pp;
-    const wide v19 = T13 * c1_p + T23 * s1_p;
-    const wide v20 = T13 * c1_m + T23 * s1_m;
-    const wide v21 = v19 * v19;
-    const wide v22 = v20 * v20;
-    const wide w4_pp = sqrt_wide(v21 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v21 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v22 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v22 + X4_mm * X4_mm);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v23 = X4_pp * factor4_pp;
-    const wide v24 = X4_pm * factor4_pm;
-    const wide v25 = X4_mp * factor4_mp;
-    const wide v26 = X4_mm * factor4_mm;
-    const wide v27 = v19 * factor4_pp;
-    const wide v28 = v19 * factor4_pm;
-    const wide v29 = v20 * factor4_mp;
-    const wide v30 = v20 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v27, -v23);
-    const wide q4_pmp = atan2_wide(-v28, -v24);
-    const wide q4_mpp = atan2_wide(-v29, -v25);
-    const wide q4_mmp = atan2_wide(-v30, -v26);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), -v27) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), -v28) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), -v29) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), -v30) * h1;
+    const wide c23_pp = c3 * c2_pp + s3 * v22;
+    const wide c23_pm = c3 * c2_pm - s3 * v23;
+    const wide c23_mp = c3 * c2_mp + s3 * v24;
+    const wide s23_pp = s3 * c2_pp - c3 * v22;
+    const wide v25 = s3 * c2_pm + c3 * v23;
+    const wide s23_mp = s3 * c2_mp - c3 * v24;
+    const wide v26 = T13 * s1_p - T23 * c1_p;
+    const wide v27 = T13 * s1_m - T23 * c1_m;
+    const wide X4_pp = c23_pp * v26 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v26 + T33 * v25;
+    const wide X4_mp = c23_mp * v27 - T33 * s23_mp;
+    const wide X4_mm = c23_pp * v27 - T33 * -s23_pp;
+    const wide v28 = T13 * c1_p + T23 * s1_p;
+    const wide v29 = T13 * c1_m + T23 * s1_m;
+    const wide v30 = v28 * v28;
+    const wide v31 = v29 * v29;
+    const wide v32 = v30 + X4_pp * X4_pp;
+    const wide v33 = v30 + X4_pm * X4_pm;
+    const wide v34 = v31 + X4_mp * X4_mp;
+    const wide v35 = v31 + X4_mm * X4_mm;
+    const wide angle1_____ = atan2_wide(-v28, -X4_pp);
+    const wide angle1______ = atan2_wide(-v28, -X4_pm);
+    const wide angle1_______ = atan2_wide(-v29, -X4_mp);
+    const wide angle1________ = atan2_wide(-v29, -X4_mm);
+    const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
+    const wide v37 = copysign_wide(all_wide(half_turn), -v29) * h1;
+    const wide q4_ppm = angle1_____ - v36;
+    const wide q4_pmm = angle1______ - v36;
+    const wide q4_mpm = angle1_______ - v37;
+    const wide q4_mmm = angle1________ - v37;
 
     /* theta5 */
-    const wide v31 = T33 * c23_pp;
-    const wide q5_ppp = atan2_wide(-w4_pp, v31 + s23_pp * v17);
-    const wide q5_pmp = atan2_wide(-w4_pm, T33 * c23_pm - v16 * v17);
-    const wide q5_mpp = atan2_wide(-w4_mp, T33 * c23_mp + s23_mp * v18);
-    const wide q5_mmp = atan2_wide(-w4_mm, v31 + -s23_pp * v18);
+    const wide v38 = T33 * c23_pp;
+    const wide angle1_________ = atan2_wide(-sqrt_wide(v32), v38 + s23_pp * v26);
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v33), T33 * c23_pm - v25 * v26);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v34), T33 * c23_mp + s23_mp * v27);
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v35), v38 + -s23_pp * v27);
 
     /* theta6 */
-    const wide v32 = c1_p * T12 + s1_p * T22;
-    const wide v33 = c1_m * T12 + s1_m * T22;
-    const wide v34 = s1_p * T12 - c1_p * T22;
-    const wide v35 = s1_m * T12 - c1_m * T22;
-    const wide v36 = T11 * c1_p + T21 * s1_p;
-    const wide v37 = T11 * c1_m + T21 * s1_m;
-    const wide v38 = T11 * s1_p - T21 * c1_p;
-    const wide v39 = T11 * s1_m - T21 * c1_m;
-    const wide v40 = v23 * v32 + v27 * (s23_pp * T32 - c23_pp * v34);
-    const wide v41 = v24 * v32 - v28 * (v16 * T32 + c23_pm * v34);
-    const wide v42 = v25 * v33 + v29 * (s23_mp * T32 - c23_mp * v35);
-    const wide v43 = v26 * v33 + v30 * (-s23_pp * T32 - c23_pp * v35);
-    const wide q6_ppp = atan2_wide(v40, -(v23 * v36 + v27 * (T31 * s23_pp - c23_pp * v38)));
-    const wide q6_pmp = atan2_wide(v41, v28 * (T31 * v16 + c23_pm * v38) - v24 * v36);
-    const wide q6_mpp = atan2_wide(v42, -(v25 * v37 + v29 * (T31 * s23_mp - c23_mp * v39)));
-    const wide q6_mmp = atan2_wide(v43, -(v26 * v37 + v30 * (T31 * -s23_pp - c23_pp * v39)));
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v41);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide v39 = c1_p * T12 + s1_p * T22;
+    const wide v40 = c1_m * T12 + s1_m * T22;
+    const wide v41 = s1_p * T12 - c1_p * T22;
+    const wide v42 = s1_m * T12 - c1_m * T22;
+    const wide v43 = T11 * c1_p + T21 * s1_p;
+    const wide v44 = T11 * c1_m + T21 * s1_m;
+    const wide v45 = T11 * s1_p - T21 * c1_p;
+    const wide v46 = T11 * s1_m - T21 * c1_m;
+    const wide v47 = v28 * (s23_pp * T32 - c23_pp * v41) - -X4_pp * v39;
+    const wide v48 = X4_pm * v39 - v28 * (v25 * T32 + c23_pm * v41);
+    const wide v49 = v29 * (s23_mp * T32 - c23_mp * v42) - -X4_mp * v40;
+    const wide v50 = v29 * (-s23_pp * T32 - c23_pp * v42) - -X4_mm * v40;
+    const wide angle1_____________ = atan2_wide(v47, -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp *
+        v45));
+    const wide angle1______________ = atan2_wide(v48, v28 * (T31 * v25 + c23_pm * v45) - X4_pm *
+        v43);
+    const wide angle1_______________ = atan2_wide(v49, -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp *
+        v46));
+    const wide angle1________________ = atan2_wide(v50, -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp
+        * v46));
+    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v49);
+    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v50);
 
     /* joint values */
-    const wide v44 = w3 - w3;
-    const wide q1_ppp = v44 + atan2_wide(s1_p, c1_p);
-    const wide q1_mpp = v44 + atan2_wide(s1_m, c1_m);
-    const wide_mask v45 = w2_pp <= free_limit_squared2;
-    const wide_mask doubt = (v45 | (w4_mm <= free_limit)) | (((w2_mp <= free_limit_squared2) |
-        (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <= free_limit)) |
-        (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) | (v45 |
-        (w4_pp <= free_limit)))));
+    const wide angle1_________________ = atan2_wide(v8, v5);
+    const wide q1_ppp = v10 + angle1_________________;
+    const wide angle1__________________ = atan2_wide(v9, v6);
+    const wide q1_mpp = v10 + angle1__________________;
+    const wide q3_ppp = v1 + angle1;
+    const wide q3_pmp = v1 - angle1;
+    const wide_mask v51 = v18 <= m1;
+    const wide_mask doubt = (v51 | (v35 <= m2)) | (((v21 <= m1) | (v34 <= m2)) | (((v20 <= m1) |
+        (v33 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)))))
+        | (v51 | (v32 <= m2)))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[1] = angle1_;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1_____;
+    q[4] = angle1_________;
+    q[5] = angle1_____________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[7] = angle1_;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1_________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = -q3_ppp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[13] = angle1__;
+    q[14] = q3_pmp;
+    q[15] = angle1______;
+    q[16] = angle1__________;
+    q[17] = angle1______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = -q3_ppp;
+    q[19] = angle1__;
+    q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1__________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
+    q[25] = angle1___;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1_______;
+    q[28] = angle1___________;
+    q[29] = angle1_______________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
+    q[31] = angle1___;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1___________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = -q3_ppp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[37] = angle1____;
+    q[38] = q3_pmp;
+    q[39] = angle1________;
+    q[40] = angle1____________;
+    q[41] = angle1________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = -q3_ppp;
+    q[43] = angle1____;
+    q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -693,89 +704,92 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
+    const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v1 = D3 * t24;
-    const double v2 = D3 * t14;
-    const double v3 = t24 * w1;
-    const four c1 = inverse1 * (v2 + e1 * v3);
-    const double v4 = t14 * w1;
-    const four s1 = inverse1 * (v1 - e1 * v4);
+    const double v2 = D3 * t24;
+    const double v3 = D3 * t14;
+    const double v4 = t24 * w1;
+    const four v5 = v3 + e1 * v4;
+    const four c1 = inverse1 * v5;
+    const double v6 = t14 * w1;
+    const four v7 = v2 - e1 * v6;
+    const four s1 = inverse1 * v7;
 
     /* theta3 */
     const double t34 = T34 + D3 * T31 + k1 * T33;
-    const double N3 = t34 * t34 + w1 * w1;
+    const double N3 = D1 + t34 * t34;
+    const double K3 = N3 - k5;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v8 = w3 - w3;
     const double s3 = k6 * w3;
-    const double c3 = k6 * (N3 - k5);
-    const four q3_ = atan2_four(all_four(s3), all_four(c3));
+    const double c3 = k6 * K3;
 
     /* theta2 */
-    const double v5 = D4 * s3;
+    const double v9 = D4 * s3;
     const double Y1_2 = L2 + D4 * c3;
-    const double v6 = w1 * Y1_2;
-    const double v7 = t34 * v5;
-    const four v8 = e2 * v7;
-    const four v9 = e1 * v6;
-    const four v10 = v8 + v9;
-    const double v11 = t34 * Y1_2;
-    const double v12 = w1 * v5;
-    const four C2 = v11 - v12 * (e1 * e2);
-    const four w2 = sqrt_four(v10 * v10 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const double v10 = w1 * Y1_2;
+    const double v11 = t34 * v9;
+    const four v12 = e2 * v11;
+    const four v13 = e1 * v10;
+    const four v14 = v12 + v13;
+    const double v15 = t34 * Y1_2;
+    const double v16 = w1 * v9;
+    const four C2 = v15 - v16 * (e1 * e2);
+    const four v17 = v14 * v14 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v17);
     const four c2 = C2 * factor2;
-    const four v13 = v10 * factor2;
-    const four q2_p = atan2_four(-v13, c2);
+    const four v18 = v14 * factor2;
 
     /* theta4 */
-    const four c23 = c3 * c2 + e2 * (s3 * v13);
-    const four s23 = e2 * (s3 * c2) - c3 * v13;
-    const four v14 = T13 * s1 - T23 * c1;
-    const four X4 = c23 * v14 - T33 * s23;
-    const four v15 = T13 * c1 + T23 * s1;
-    const four v16 = v15 * v15;
-    const four w4 = sqrt_four(v16 + X4 * X4);
-    const four factor4 = 1.0 / w4;
-    const four v17 = X4 * factor4;
-    const four v18 = v15 * factor4;
-    const four q4_p = atan2_four(-v18, -v17);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -v18) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(-w4, T33 * c23 + s23 * v14);
+    const four c23 = c3 * c2 + e2 * (s3 * v18);
+    const four s23 = e2 * (s3 * c2) - c3 * v18;
+    const four v19 = T13 * s1 - T23 * c1;
+    const four X4 = c23 * v19 - T33 * s23;
+    const four v20 = T13 * c1 + T23 * s1;
+    const four v21 = v20 * v20;
+    const four v22 = v21 + X4 * X4;
+    const four v23 = copysign_four(all_four(half_turn), -v20) * h1;
 
     /* theta6 */
-    const four v19 = c1 * T12 + s1 * T22;
-    const four v20 = s1 * T12 - c1 * T22;
-    const four v21 = T11 * c1 + T21 * s1;
-    const four v22 = T11 * s1 - T21 * c1;
-    const four v23 = v17 * v19 + v18 * (s23 * T32 - c23 * v20);
-    const four q6_p = atan2_four(v23, -(v17 * v21 + v18 * (T31 * s23 - c23 * v22)));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v23);
+    const four v24 = c1 * T12 + s1 * T22;
+    const four v25 = s1 * T12 - c1 * T22;
+    const four v26 = T11 * c1 + T21 * s1;
+    const four v27 = T11 * s1 - T21 * c1;
+    const four v28 = v20 * (s23 * T32 - c23 * v25) - -X4 * v24;
 
     /* joint values */
-    const four q3_p = e2 * q3_;
-    const double v24 = w3 - w3;
-    const four q1_p = v24 + atan2_four(s1, c1);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m1) | (v22 <= m2));
+
+    const four angle1_ = atan2_four(-v14, C2);
+    const four angle1__ = atan2_four(-v20, -X4);
+    const four angle1___ = atan2_four(-sqrt_four(v22), T33 * c23 + s23 * v19);
+    const four angle1____ = atan2_four(v28, -X4 * v26 - v20 * (T31 * s23 - c23 * v27));
+    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(v5, all_four(K3), 0, 5, 2, 3));
+    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle1__ - v23;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v28);
+    const four q1_p = v8 + angle1_____;
+    const four q3_p = v1 + e2 * angle1;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

@@ -32,6 +32,10 @@ static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
 static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m1 = 8.466269175855875e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const puma_arm_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -170,25 +174,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -222,25 +228,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -255,25 +263,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -306,85 +316,82 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = d3 * T14;
-    const wide v2 = d3 * T24;
-    const wide v3 = T14 * w1;
-    const wide v4 = T24 * w1;
+    const wide v1 = w1 - w1;
+    const wide v2 = d3 * T14;
+    const wide v3 = d3 * T24;
+    const wide v4 = T14 * w1;
+    const wide v5 = T24 * w1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
-    const wide N3 = Z1_3 * Z1_3 + w1 * w1;
+    const wide N3 = D1 + Z1_3 * Z1_3;
     const wide K3 = N3 - k6;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v5 = k4 * K3;
-    const wide v6 = k5 * w3;
-    const wide s3_p = k7 * (v6 - v5);
-    const wide v7 = k7 * (v5 + v6);
-    const wide v8 = k5 * K3;
-    const wide v9 = k4 * w3;
-    const wide c3_p = k7 * (v8 + v9);
-    const wide c3_m = k7 * (v8 - v9);
-    const wide q3_pp = atan2_wide(s3_p, c3_p);
-    const wide q3_pm = atan2_wide(-v7, c3_m);
+    const wide v6 = w3 - w3;
+    const wide v7 = k4 * K3;
+    const wide v8 = k5 * w3;
+    const wide s3_p = k7 * (v8 - v7);
+    const wide v9 = k7 * (v7 + v8);
+    const wide v10 = k5 * K3;
+    const wide v11 = k4 * w3;
+    const wide c3_p = k7 * (v10 + v11);
+    const wide c3_m = k7 * (v10 - v11);
+    const wide angle1 = atan2_wide(w3, K3);
+    const wide q3__p = angle1 - turn1;
+    const wide v12 = turn1 + angle1;
 
     /* theta2 */
     const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v7);
+    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v9);
     const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v7;
-    const wide v10 = Z1_3 * X1_2_p;
-    const wide v11 = Z1_3 * X1_2_m;
-    const wide v12 = w1 * Y1_2_p;
-    const wide v13 = w1 * Y1_2_m;
-    const wide S2_pp = v10 - v12;
-    const wide S2_pm = v11 - v13;
-    const wide S2_mp = v10 + v12;
-    const wide S2_mm = v11 + v13;
-    const wide v14 = w1 * X1_2_p;
-    const wide v15 = w1 * X1_2_m;
-    const wide v16 = Z1_3 * Y1_2_p;
-    const wide v17 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v14 + v16;
-    const wide C2_pm = v15 + v17;
-    const wide C2_mp = v16 - v14;
-    const wide C2_mm = v17 - v15;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide q2_pp = atan2_wide(S2_pp * factor2_pp, C2_pp * factor2_pp);
-    const wide q2_pm = atan2_wide(S2_pm * factor2_pm, C2_pm * factor2_pm);
-    const wide q2_mp = atan2_wide(S2_mp * factor2_mp, C2_mp * factor2_mp);
-    const wide q2_mm = atan2_wide(S2_mm * factor2_mm, C2_mm * factor2_mm);
+    const wide Y1_2_m = d4 * c3_m - a3 * v9;
+    const wide v13 = Z1_3 * X1_2_p;
+    const wide v14 = Z1_3 * X1_2_m;
+    const wide v15 = w1 * Y1_2_p;
+    const wide v16 = w1 * Y1_2_m;
+    const wide S2_pp = v13 - v15;
+    const wide S2_pm = v14 - v16;
+    const wide S2_mp = v13 + v15;
+    const wide S2_mm = v14 + v16;
+    const wide v17 = w1 * X1_2_p;
+    const wide v18 = w1 * X1_2_m;
+    const wide v19 = Z1_3 * Y1_2_p;
+    const wide v20 = Z1_3 * Y1_2_m;
+    const wide C2_pp = v17 + v19;
+    const wide C2_pm = v18 + v20;
+    const wide C2_mp = v19 - v17;
+    const wide C2_mm = v20 - v18;
+    const wide angle1_ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1__ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1___ = atan2_wide(S2_mp, C2_mp);
+    const wide angle1____ = atan2_wide(S2_mm, C2_mm);
 
     /* joint values */
-    const wide v18 = w3 - w3;
-    const wide q1_pp = v18 + atan2_wide(inverse1 * (v1 + v4), inverse1 * (v3 - v2));
-    const wide q1_mp = v18 + atan2_wide(inverse1 * (v1 - v4), -(inverse1 * (v2 + v3)));
-    const wide_mask doubt = (w2_mm <= free_limit_squared2) | ((w2_mp <= free_limit_squared2) |
-        ((w2_pm <= free_limit_squared2) | ((w2_pp <= free_limit_squared2) | ((((shortest3_reach <=
-        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) |
-        (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))))))));
+    const wide angle1_____ = atan2_wide(v2 + v5, v4 - v3);
+    const wide q1_pp = v6 + angle1_____;
+    const wide angle1______ = atan2_wide(v2 - v5, -(v3 + v4));
+    const wide q1_mp = v6 + angle1______;
+    const wide q3_pp = v1 + (q3__p + pick_wide(q3__p <= -half_turn, all_wide(m2), all_wide(0.0)));
+    const wide q3_pm = v1 + (pick_wide(-v12 <= -half_turn, all_wide(m2), all_wide(0.0)) - v12);
+    const wide_mask doubt = (S2_mm * S2_mm + C2_mm * C2_mm <= m1) | ((S2_mp * S2_mp + C2_mp * C2_mp
+        <= m1) | ((S2_pm * S2_pm + C2_pm * C2_pm <= m1) | ((S2_pp * S2_pp + C2_pp * C2_pp <= m1) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))))))));
 
     q[0] = q1_pp;
-    q[1] = q2_pp;
+    q[1] = angle1_;
     q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[3] = q1_pp;
-    q[4] = q2_pm;
+    q[4] = angle1__;
     q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
     q[6] = q1_mp;
-    q[7] = q2_mp;
+    q[7] = angle1___;
     q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
     q[9] = q1_mp;
-    q[10] = q2_mm;
+    q[10] = angle1____;
     q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -459,51 +466,55 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = d3 * T14;
-    const double v2 = d3 * T24;
-    const double v3 = T14 * w1;
-    const double v4 = T24 * w1;
+    const double v1 = w1 - w1;
+    const double v2 = d3 * T14;
+    const double v3 = d3 * T24;
+    const double v4 = T14 * w1;
+    const double v5 = T24 * w1;
 
     /* theta3 */
     const double Z1_3 = T34 - d1;
-    const double N3 = Z1_3 * Z1_3 + w1 * w1;
+    const double N3 = D1 + Z1_3 * Z1_3;
     const double K3 = N3 - k6;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = k4 * K3;
-    const double v6 = k5 * w3;
-    const four s3 = k7 * (e2 * v6 - v5);
-    const double v7 = k5 * K3;
-    const double v8 = k4 * w3;
-    const four c3 = k7 * (v7 + e2 * v8);
-    const four q3 = atan2_four(s3, c3);
+    const double v6 = w3 - w3;
+    const double v7 = k4 * K3;
+    const double v8 = k5 * w3;
+    const four s3 = k7 * (e2 * v8 - v7);
+    const double v9 = k5 * K3;
+    const double v10 = k4 * w3;
+    const four c3 = k7 * (v9 + e2 * v10);
 
     /* theta2 */
     const four X1_2 = a2 + (a3 * c3 - d4 * s3);
     const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v9 = Z1_3 * X1_2;
-    const four v10 = w1 * Y1_2;
-    const four S2 = v9 - e1 * v10;
-    const four v11 = w1 * X1_2;
-    const four v12 = Z1_3 * Y1_2;
-    const four C2 = v12 + e1 * v11;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
-    const four q2 = atan2_four(S2 * factor2, C2 * factor2);
+    const four v11 = Z1_3 * X1_2;
+    const four v12 = w1 * Y1_2;
+    const four S2 = v11 - e1 * v12;
+    const four v13 = w1 * X1_2;
+    const four v14 = Z1_3 * Y1_2;
+    const four C2 = v14 + e1 * v13;
 
     /* joint values */
-    const double v13 = w3 - w3;
-    const four q1 = v13 + atan2_four(inverse1 * (v1 + e1 * v4), inverse1 * (e1 * v3 - v2));
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
-    const four_mask doubt = (w2 <= free_limit_squared2) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (S2 * S2 + C2 * C2 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    const four angle1_ = atan2_four(S2, C2);
+    const four packed2 = atan2_four(__builtin_shufflevector(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(e1 * v4 - v3, all_four(K3), 0, 5, 2, 3));
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1 - turn1;
+    const four q1 = v6 + angle1__;
+    const four q3 = v1 + (q3_ + pick_four(q3_ <= -half_turn, all_four(m2), all_four(0.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2);
+    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle1_);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
     const four_mask kind1 = kind_of(q1 != q1, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);

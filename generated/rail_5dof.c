@@ -19,7 +19,10 @@ static const double free_limit_squared = 1e-24; /* square of a length that fixes
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 6.000000000000001e-05; /* a pose may be rounded by this [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.2959999999999999e-45; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const rail_5dof_branches[2] = {
     "noflip", "flip",
@@ -205,25 +208,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -257,25 +262,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -290,25 +297,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -353,67 +362,67 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     /* theta2 */
     const wide v1 = d3 * (T14 - d5 * T13 - a1);
     const wide C2 = d3 * (T24 - d5 * T23);
-    const wide w2 = sqrt_wide(v1 * v1 + C2 * C2);
-    const wide v2 = 1.0 / w2;
-    const wide v3 = C2 * v2;
-    const wide s2 = v1 * v2;
+    const wide v2 = v1 * v1 + C2 * C2;
+    const wide v3 = 1.0 / sqrt_wide(v2);
+    const wide v4 = C2 * v3;
+    const wide s2 = v1 * v3;
 
     /* theta3 */
-    const wide X3 = T23 * s2 - T13 * v3;
-    const wide w3 = sqrt_wide(X3 * X3 + T33 * T33);
+    const wide X3 = T23 * s2 - T13 * v4;
+    const wide v5 = X3 * X3 + T33 * T33;
+    const wide w3 = sqrt_wide(v5);
     const wide factor3 = 1.0 / w3;
-    const wide v4 = X3 * factor3;
-    const wide v5 = T33 * factor3;
-    const wide v6 = atan2_wide(-v5, -v4);
+    const wide v6 = X3 * factor3;
+    const wide v7 = T33 * factor3;
+    const wide angle1 = atan2_wide(-T33, -X3);
 
     /* theta4 */
-    const wide v7 = T23 * v3 + T13 * s2;
-    const wide w4 = sqrt_wide(v7 * v7 + w3 * w3);
-    const wide v8 = 1.0 / w4;
-    const wide c4 = v7 * v8;
-    const wide s4 = w3 * v8;
-    const wide q4_ = atan2_wide(s4, c4);
+    const wide v8 = T23 * v4 + T13 * s2;
+    const wide v9 = v5 + v8 * v8;
+    const wide v10 = 1.0 / sqrt_wide(v9);
+    const wide c4 = v8 * v10;
+    const wide s4 = w3 * v10;
+    const wide angle1_ = atan2_wide(w3, v8);
 
     /* theta5 */
-    const wide C5 = v4 * T32 - v5 * (s2 * T22 - v3 * T12);
-    const wide S5 = v4 * T31 - v5 * (s2 * T21 - v3 * T11);
-    const wide w5 = sqrt_wide(S5 * S5 + C5 * C5);
-    const wide v9 = 1.0 / w5;
-    const wide v10 = C5 * v9;
-    const wide v11 = S5 * v9;
-    const wide v12 = atan2_wide(-v11, -v10);
+    const wide C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12);
+    const wide S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11);
+    const wide v11 = S5 * S5 + C5 * C5;
+    const wide v12 = 1.0 / sqrt_wide(v11);
+    const wide v13 = C5 * v12;
+    const wide v14 = S5 * v12;
+    const wide angle1__ = atan2_wide(-S5, -C5);
 
     /* is the pose one that the arm can take? */
-    const wide v13 = v3 * v4;
-    const wide v14 = c4 * v13 + s2 * s4;
-    const wide v15 = v3 * v5;
-    const wide v16 = s2 * v4;
-    const wide v17 = c4 * v16 - v3 * s4;
-    const wide v18 = s2 * v5;
-    const wide v19 = v5 * c4;
-    const wide v20 = sqrt_wide(pick_wide((abs_wide(T34 + (-wz - s4 * (d5 * v5))) <= pose_slack1) &
-        ((abs_wide(T33 - v5 * s4) <= pose_slack) & ((abs_wide(T32 - (v4 * v10 - v11 * v19)) <=
-        pose_slack) & ((abs_wide(T31 - (v10 * v19 + v4 * v11)) <= pose_slack) & ((abs_wide(T24 - (d3
-        * v3 + (c4 * (d5 * v3) + s4 * (d5 * v16)))) <= pose_slack1) & ((abs_wide(T23 - (v3 * c4 + s4
-        * v16)) <= pose_slack) & ((abs_wide(T22 + (v11 * v17 + v10 * v18)) <= pose_slack) &
-        ((abs_wide(T21 + (v11 * v18 - v10 * v17)) <= pose_slack) & ((abs_wide(T14 - (a1 + d3 * s2 -
-        (s4 * (d5 * v13) - c4 * (d5 * s2)))) <= pose_slack1) & ((abs_wide(T13 - (s2 * c4 - s4 *
-        v13)) <= pose_slack) & ((abs_wide(T11 - (v11 * v15 - v10 * v14)) <= pose_slack) &
-        (abs_wide(T12 - (v10 * v15 + v11 * v14)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(-1.0)));
+    const wide v15 = v4 * v6;
+    const wide v16 = c4 * v15 + s2 * s4;
+    const wide v17 = v4 * v7;
+    const wide v18 = s2 * v6;
+    const wide v19 = c4 * v18 - v4 * s4;
+    const wide v20 = s2 * v7;
+    const wide v21 = v7 * c4;
+    const wide v22 = pick_wide((abs_wide(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1) &
+        ((abs_wide(T33 - v7 * s4) <= pose_slack) & ((abs_wide(T32 - (v6 * v13 - v14 * v21)) <=
+        pose_slack) & ((abs_wide(T31 - (v13 * v21 + v6 * v14)) <= pose_slack) & ((abs_wide(T24 - (d3
+        * v4 + (c4 * (d5 * v4) + s4 * (d5 * v18)))) <= pose_slack1) & ((abs_wide(T23 - (v4 * c4 + s4
+        * v18)) <= pose_slack) & ((abs_wide(T22 + (v14 * v19 + v13 * v20)) <= pose_slack) &
+        ((abs_wide(T21 + (v14 * v20 - v13 * v19)) <= pose_slack) & ((abs_wide(T14 - (a1 + d3 * s2 -
+        (s4 * (d5 * v15) - c4 * (d5 * s2)))) <= pose_slack1) & ((abs_wide(T13 - (s2 * c4 - s4 *
+        v15)) <= pose_slack) & ((abs_wide(T11 - (v14 * v17 - v13 * v16)) <= pose_slack) &
+        (abs_wide(T12 - (v13 * v17 + v14 * v16)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v21 = v20 - v20;
-    const wide q1_p = wz + v21;
-    const wide q2_p = v21 + atan2_wide(s2, -v3);
-    const wide q3_p = v6 + v21;
-    const wide q3_m = v21 + (v6 - copysign_wide(all_wide(half_turn), -v5) * h1);
-    const wide q4_p = q4_ + v21;
-    const wide q4_m = v21 - q4_;
-    const wide q5_p = v12 + v21;
-    const wide q5_m = v21 + (v12 - h1 * copysign_wide(all_wide(half_turn), -v11));
-    const wide_mask doubt = (w5 <= free_limit_squared) | ((w4 <= free_limit_squared) | ((w2 <=
-        free_limit_squared2) | (w3 <= free_limit)));
+    const wide q1_p = wz + v22;
+    const wide angle1___ = atan2_wide(v1, -C2);
+    const wide q2_p = v22 + angle1___;
+    const wide q3_p = angle1 + v22;
+    const wide q3_m = v22 + (angle1 - copysign_wide(all_wide(half_turn), -T33) * h1);
+    const wide q4_p = angle1_ + v22;
+    const wide q4_m = v22 - angle1_;
+    const wide q5_p = angle1__ + v22;
+    const wide q5_m = v22 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5));
+    const wide_mask doubt = (v11 <= m4) | ((v9 <= m4) | ((v2 <= m1) | (v5 <= m2)));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -495,7 +504,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
@@ -511,66 +520,68 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     /* theta2 */
     const double v1 = d3 * (T14 - d5 * T13 - a1);
     const double C2 = d3 * (T24 - d5 * T23);
-    const double w2 = sqrt(v1 * v1 + C2 * C2);
-    const double v2 = 1.0 / w2;
-    const double v3 = C2 * v2;
-    const double s2 = v1 * v2;
+    const double v2 = v1 * v1 + C2 * C2;
+    const double v3 = 1.0 / sqrt(v2);
+    const double v4 = C2 * v3;
+    const double s2 = v1 * v3;
 
     /* theta3 */
-    const double X3 = T23 * s2 - T13 * v3;
-    const double w3 = sqrt(X3 * X3 + T33 * T33);
+    const double X3 = T23 * s2 - T13 * v4;
+    const double v5 = X3 * X3 + T33 * T33;
+    const double w3 = sqrt(v5);
     const double factor3 = 1.0 / w3;
-    const double v4 = X3 * factor3;
-    const double v5 = T33 * factor3;
-    const four v6 = atan2_four(all_four(-v5), all_four(-v4));
-    const double v7 = copysign(half_turn, -v5);
-    const four v8 = m1 * (e1 - 1.0);
+    const double v6 = X3 * factor3;
+    const double v7 = T33 * factor3;
+    const double v8 = copysign(half_turn, -T33);
+    const four v9 = m3 * (e1 - 1.0);
 
     /* theta4 */
-    const double v9 = T23 * v3 + T13 * s2;
-    const double w4 = sqrt(v9 * v9 + w3 * w3);
-    const double v10 = 1.0 / w4;
-    const double c4 = v9 * v10;
-    const double s4 = w3 * v10;
-    const four q4_ = atan2_four(all_four(s4), all_four(c4));
+    const double v10 = T23 * v4 + T13 * s2;
+    const double v11 = v5 + v10 * v10;
+    const double v12 = 1.0 / sqrt(v11);
+    const double c4 = v10 * v12;
+    const double s4 = w3 * v12;
 
     /* theta5 */
-    const double C5 = v4 * T32 - v5 * (s2 * T22 - v3 * T12);
-    const double S5 = v4 * T31 - v5 * (s2 * T21 - v3 * T11);
-    const double w5 = sqrt(S5 * S5 + C5 * C5);
-    const double v11 = 1.0 / w5;
-    const double v12 = C5 * v11;
-    const double v13 = S5 * v11;
-    const four v14 = atan2_four(all_four(-v13), all_four(-v12));
-    const double v15 = copysign(half_turn, -v13);
+    const double C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12);
+    const double S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11);
+    const double v13 = S5 * S5 + C5 * C5;
+    const double v14 = 1.0 / sqrt(v13);
+    const double v15 = C5 * v14;
+    const double v16 = S5 * v14;
+    const double v17 = copysign(half_turn, -S5);
 
     /* is the pose one that the arm can take? */
-    const double v16 = v3 * v4;
-    const double v17 = c4 * v16 + s2 * s4;
-    const double v18 = v3 * v5;
-    const double v19 = s2 * v4;
-    const double v20 = c4 * v19 - v3 * s4;
-    const double v21 = s2 * v5;
-    const double v22 = v5 * c4;
-    const double v23 = sqrt(((fabs(T34 + (-wz - s4 * (d5 * v5))) <= pose_slack1) & ((fabs(T33 - v5 *
-        s4) <= pose_slack) & ((fabs(T32 - (v4 * v12 - v13 * v22)) <= pose_slack) & ((fabs(T31 - (v12
-        * v22 + v4 * v13)) <= pose_slack) & ((fabs(T24 - (d3 * v3 + (c4 * (d5 * v3) + s4 * (d5 *
-        v19)))) <= pose_slack1) & ((fabs(T23 - (v3 * c4 + s4 * v19)) <= pose_slack) & ((fabs(T22 +
-        (v13 * v20 + v12 * v21)) <= pose_slack) & ((fabs(T21 + (v13 * v21 - v12 * v20)) <=
-        pose_slack) & ((fabs(T14 - (a1 + d3 * s2 - (s4 * (d5 * v16) - c4 * (d5 * s2)))) <=
-        pose_slack1) & ((fabs(T13 - (s2 * c4 - s4 * v16)) <= pose_slack) & ((fabs(T11 - (v13 * v18 -
-        v12 * v17)) <= pose_slack) & (fabs(T12 - (v12 * v18 + v13 * v17)) <= pose_slack))))))))))))
-        ? 0.0 : (-1.0));
+    const double v18 = v4 * v6;
+    const double v19 = c4 * v18 + s2 * s4;
+    const double v20 = v4 * v7;
+    const double v21 = s2 * v6;
+    const double v22 = c4 * v21 - v4 * s4;
+    const double v23 = s2 * v7;
+    const double v24 = v7 * c4;
+    const double v25 = ((fabs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1) & ((fabs(T33 - v7 * s4)
+        <= pose_slack) & ((fabs(T32 - (v6 * v15 - v16 * v24)) <= pose_slack) & ((fabs(T31 - (v15 *
+        v24 + v6 * v16)) <= pose_slack) & ((fabs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 * (d5 *
+        v21)))) <= pose_slack1) & ((fabs(T23 - (v4 * c4 + s4 * v21)) <= pose_slack) & ((fabs(T22 +
+        (v16 * v22 + v15 * v23)) <= pose_slack) & ((fabs(T21 + (v16 * v23 - v15 * v22)) <=
+        pose_slack) & ((fabs(T14 - (a1 + d3 * s2 - (s4 * (d5 * v18) - c4 * (d5 * s2)))) <=
+        pose_slack1) & ((fabs(T13 - (s2 * c4 - s4 * v18)) <= pose_slack) & ((fabs(T11 - (v16 * v20 -
+        v15 * v19)) <= pose_slack) & (fabs(T12 - (v15 * v20 + v16 * v19)) <= pose_slack))))))))))))
+        ? 0.0 : sqrt(-1.0);
 
     /* joint values */
-    const double v24 = v23 - v23;
-    const double q1 = wz + v24;
-    const four q2 = v24 + atan2_four(all_four(s2), all_four(-v3));
-    const four q3 = v24 + (v6 + v7 * v8);
-    const four q4 = v24 + e1 * q4_;
-    const four q5 = v24 + (v14 + v8 * v15);
-    const int doubt = (w5 <= free_limit_squared) | ((w4 <= free_limit_squared) | ((w2 <=
-        free_limit_squared2) | (w3 <= free_limit)));
+    const double q1 = wz + v25;
+    const int doubt = (v13 <= m4) | ((v11 <= m4) | ((v2 <= m1) | (v5 <= m2)));
+
+    const four packed1 = atan2_four((four){ -T33, w3, -S5, v1 }, (four){ -X3, v10, -C5, -C2 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q2 = v25 + angle1___;
+    const four q3 = v25 + (angle1 + v8 * v9);
+    const four q4 = v25 + e1 * angle1_;
+    const four q5 = v25 + (angle1__ + v9 * v17);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -17,7 +17,8 @@ static const double merge_slack1 = 8e-15; /* nearer to that boundary two branche
 static const double k1 = 0.09; /* a3^2 [m^2] */
 static const double k2 = 11.111111111111112; /* 1 / (a3^2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 6.4e-25; /* free_limit1^2 [m^2] */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const rpr_branches[4] = {
     "left-noflip", "left-flip", "right-noflip", "right-flip",
@@ -140,25 +141,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -192,25 +195,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -225,25 +230,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -272,45 +279,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T24 * T24 + T14 * T14);
-    const wide factor1 = 1.0 / w1;
-    const wide v1 = atan2_wide(-(T14 * factor1), T24 * factor1);
+    const wide v1 = T24 * T24 + T14 * T14;
+    const wide w1 = sqrt_wide(v1);
+    const wide angle1 = atan2_wide(-T14, T24);
 
     /* theta3 */
     const wide Z3 = T34 - d1;
     const wide D3 = k1 - Z3 * Z3;
     const wide v2 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v3 = k2 * (a3 * w3);
-    const wide q3_pp = atan2_wide(-v3, -(k2 * (a3 * Z3)));
+    const wide v3 = w3 - w3;
+    const wide v4 = a3 * w3;
+    const wide angle1_ = atan2_wide(-v4, -(a3 * Z3));
 
     /* r2 */
-    const wide v4 = a3 * v3;
-    const wide q2_pp = w1 + v4;
-    const wide q2_pm = w1 - v4;
+    const wide v5 = a3 * (k2 * v4);
+    const wide q2_pp = w1 + v5;
+    const wide q2_pm = w1 - v5;
 
     /* joint values */
-    const wide v5 = w3 - w3;
-    const wide q1_pp = v1 + v5;
-    const wide q1_mp = v5 + (v1 - copysign_wide(all_wide(half_turn), -(T14 * factor1)) * h1);
-    const wide_mask doubt = (w1 <= free_limit1) | ((-(reach_slack1 * (reach_slack1 + v2)) <= D3) &
+    const wide q1_pp = angle1 + v3;
+    const wide q1_mp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T14) * h1);
+    const wide_mask doubt = (v1 <= m1) | ((-(reach_slack1 * (reach_slack1 + v2)) <= D3) &
         ((merge_slack1 * (merge_slack1 + v2) < D3) == 0));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
-    q[2] = q3_pp;
+    q[2] = angle1_;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[3] = q1_pp;
     q[4] = q2_pm;
-    q[5] = -q3_pp;
+    q[5] = -angle1_;
     kind[1] = kind_of(q[3] != q[3], 0);
     q[6] = q1_mp;
     q[7] = -q2_pm;
-    q[8] = q3_pp;
+    q[8] = angle1_;
     kind[2] = kind_of(q[6] != q[6], 0);
     q[9] = q1_mp;
     q[10] = -q2_pp;
-    q[11] = -q3_pp;
+    q[11] = -angle1_;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -369,7 +376,7 @@ HELPER double irregularity_double(const double T[16])
     return 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
@@ -381,31 +388,34 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T24 * T24 + T14 * T14);
-    const double factor1 = 1.0 / w1;
-    const four v1 = atan2_four(all_four(-(T14 * factor1)), all_four(T24 * factor1));
-    const double v2 = copysign(half_turn, -(T14 * factor1));
+    const double v1 = T24 * T24 + T14 * T14;
+    const double w1 = sqrt(v1);
+    const double v2 = copysign(half_turn, -T14);
 
     /* theta3 */
     const double Z3 = T34 - d1;
     const double D3 = k1 - Z3 * Z3;
     const double v3 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v4 = k2 * (a3 * w3);
-    const four q3_ = atan2_four(all_four(-v4), all_four(-(k2 * (a3 * Z3))));
+    const double v4 = w3 - w3;
+    const double v5 = a3 * w3;
 
     /* r2 */
-    const double v5 = a3 * v4;
-    const four v6 = e1 * w1;
-    const four v7 = e2 * v5;
-    const four q2 = v6 + v7;
+    const double v6 = a3 * (k2 * v5);
+    const four v7 = e1 * w1;
+    const four v8 = e2 * v6;
+    const four q2 = v7 + v8;
 
     /* joint values */
-    const four q3 = e2 * q3_;
-    const double v8 = w3 - w3;
-    const four q1 = v8 + (v1 + v2 * (m1 * (e1 - 1.0)));
-    const int doubt = (w1 <= free_limit1) | ((-(reach_slack1 * (reach_slack1 + v3)) <= D3) &
-        ((merge_slack1 * (merge_slack1 + v3) < D3) == 0));
+    const int doubt = (v1 <= m1) | ((-(reach_slack1 * (reach_slack1 + v3)) <= D3) & ((merge_slack1 *
+        (merge_slack1 + v3) < D3) == 0));
+
+    const four packed1 = atan2_four((four){ -T14, -v5, -T14, -T14 }, (four){ T24, -(a3 * Z3), T24,
+        T24 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four q3 = e2 * angle1_;
+    const four q1 = v4 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -202,7 +202,7 @@ HELPER wide atan2_wide(wide y, wide x)
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 

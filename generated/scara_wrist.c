@@ -29,8 +29,10 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 2.8561e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const scara_wrist_branches[4] = {
     "down-left", "down-right", "up-left", "up-right",
@@ -241,25 +243,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -293,25 +297,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -326,25 +332,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -387,92 +395,84 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide wx = T14 - d6 * T13;
     const wide wy = T24 - d6 * T23;
     const wide N2 = wx * wx + wy * wy;
+    const wide K2 = N2 - k1;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide s2 = k2 * w2;
-    const wide c2 = k2 * (N2 - k1);
-    const wide q2_pp = atan2_wide(s2, c2);
+    const wide v1 = w2 - w2;
+    const wide angle1 = atan2_wide(w2, K2);
 
     /* theta1 */
-    const wide X1_1 = a1 + a2 * c2;
-    const wide Y1_1 = a2 * s2;
-    const wide v1 = wy * X1_1;
-    const wide v2 = wx * Y1_1;
-    const wide S1_p = v1 - v2;
-    const wide S1_m = v1 + v2;
-    const wide v3 = wx * X1_1;
-    const wide v4 = wy * Y1_1;
-    const wide C1_p = v3 + v4;
-    const wide C1_m = v3 - v4;
-    const wide w1_p = sqrt_wide(S1_p * S1_p + C1_p * C1_p);
-    const wide w1_m = sqrt_wide(S1_m * S1_m + C1_m * C1_m);
-    const wide factor1_p = 1.0 / w1_p;
-    const wide factor1_m = 1.0 / w1_m;
-    const wide q1_pp = atan2_wide(S1_p * factor1_p, C1_p * factor1_p);
-    const wide q1_mp = atan2_wide(S1_m * factor1_m, C1_m * factor1_m);
+    const wide X1_1 = a1 + a2 * (k2 * K2);
+    const wide Y1_1 = a2 * (k2 * w2);
+    const wide v2 = wy * X1_1;
+    const wide v3 = wx * Y1_1;
+    const wide S1_p = v2 - v3;
+    const wide S1_m = v2 + v3;
+    const wide v4 = wx * X1_1;
+    const wide v5 = wy * Y1_1;
+    const wide C1_p = v4 + v5;
+    const wide C1_m = v4 - v5;
+    const wide angle1_ = atan2_wide(S1_p, C1_p);
+    const wide angle1__ = atan2_wide(S1_m, C1_m);
 
     /* theta12m4 */
-    const wide w12m4 = sqrt_wide(T13 * T13 + T23 * T23);
-    const wide factor12m4 = 1.0 / w12m4;
-    const wide v5 = q2_pp + q1_pp;
-    const wide v6 = q1_mp - q2_pp;
-    const wide v7 = T13 * factor12m4;
-    const wide v8 = T23 * factor12m4;
+    const wide v6 = T13 * T13 + T23 * T23;
+    const wide v7 = angle1 + angle1_;
+    const wide v8 = angle1__ - angle1;
 
     /* theta5 */
-    const wide q5_ = atan2_wide(w12m4, -T33);
+    const wide angle1___ = atan2_wide(sqrt_wide(v6), -T33);
 
     /* theta6 */
-    const wide s6 = v7 * T21 - v8 * T11;
-    const wide v9 = atan2_wide(s6, v7 * T22 - v8 * T12);
+    const wide s6 = T13 * T21 - T23 * T11;
+    const wide angle1____ = atan2_wide(s6, T13 * T22 - T23 * T12);
 
     /* joint values */
-    const wide v10 = atan2_wide(-v8, -v7);
-    const wide v11 = v10 - h1 * copysign_wide(all_wide(half_turn), -v8);
-    const wide v12 = v5 - v10;
-    const wide v13 = v5 - v11;
-    const wide v14 = v6 - v10;
-    const wide v15 = v6 - v11;
-    const wide q4_pp = v12 - pick_wide(half_turn < v12, all_wide(m2), all_wide(0.0)) + pick_wide(v12
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pm = v13 - pick_wide(half_turn < v13, all_wide(m2), all_wide(0.0)) + pick_wide(v13
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mp = v14 - pick_wide(half_turn < v14, all_wide(m2), all_wide(0.0)) + pick_wide(v14
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mm = v15 - pick_wide(half_turn < v15, all_wide(m2), all_wide(0.0)) + pick_wide(v15
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v16 = w2 - w2;
-    const wide q3_pp = v16 + (T34 - d6 * T33 - d1);
-    const wide q5_pp = q5_ + v16;
-    const wide q5_pm = v16 - q5_;
-    const wide q6_pp = v9 + v16;
-    const wide q6_pm = v16 + (v9 - copysign_wide(all_wide(half_turn), s6) * h1);
-    const wide_mask doubt = (w1_m <= free_limit_squared2) | ((w1_p <= free_limit_squared2) |
+    const wide angle1_____ = atan2_wide(-T23, -T13);
+    const wide v9 = angle1_____ - h1 * copysign_wide(all_wide(half_turn), -T23);
+    const wide v10 = v7 - angle1_____;
+    const wide v11 = v7 - v9;
+    const wide v12 = v8 - angle1_____;
+    const wide v13 = v8 - v9;
+    const wide q4_pp = v10 - pick_wide(half_turn < v10, all_wide(m4), all_wide(0.0)) + pick_wide(v10
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pm = v11 - pick_wide(half_turn < v11, all_wide(m4), all_wide(0.0)) + pick_wide(v11
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mp = v12 - pick_wide(half_turn < v12, all_wide(m4), all_wide(0.0)) + pick_wide(v12
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mm = v13 - pick_wide(half_turn < v13, all_wide(m4), all_wide(0.0)) + pick_wide(v13
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q3_pp = v1 + (T34 - d6 * T33 - d1);
+    const wide q5_pp = v1 + angle1___;
+    const wide q5_pm = v1 - angle1___;
+    const wide q6_pp = v1 + angle1____;
+    const wide q6_pm = v1 + (angle1____ - copysign_wide(all_wide(half_turn), s6) * h1);
+    const wide_mask doubt = (S1_m * S1_m + C1_m * C1_m <= m1) | ((S1_p * S1_p + C1_p * C1_p <= m1) |
         ((((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 <
-        longest2_apart)) == 0)) | (w12m4 <= free_limit)));
+        longest2_apart)) == 0)) | (v6 <= m2)));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
+    q[0] = angle1_;
+    q[1] = angle1;
     q[2] = q3_pp;
     q[3] = q4_pp;
     q[4] = q5_pp;
     q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_pp;
-    q[7] = q2_pp;
+    q[6] = angle1_;
+    q[7] = angle1;
     q[8] = q3_pp;
     q[9] = q4_pm;
     q[10] = q5_pm;
     q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_mp;
-    q[13] = -q2_pp;
+    q[12] = angle1__;
+    q[13] = -angle1;
     q[14] = q3_pp;
     q[15] = q4_mp;
     q[16] = q5_pp;
     q[17] = q6_pp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_mp;
-    q[19] = -q2_pp;
+    q[18] = angle1__;
+    q[19] = -angle1;
     q[20] = q3_pp;
     q[21] = q4_mm;
     q[22] = q5_pm;
@@ -546,7 +546,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -561,64 +561,63 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double wx = T14 - d6 * T13;
     const double wy = T24 - d6 * T23;
     const double N2 = wx * wx + wy * wy;
+    const double K2 = N2 - k1;
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
-    const double s2 = k2 * w2;
-    const double c2 = k2 * (N2 - k1);
-    const four q2_ = atan2_four(all_four(s2), all_four(c2));
+    const double v1 = w2 - w2;
 
     /* theta1 */
-    const double X1_1 = a1 + a2 * c2;
-    const double Y1_1 = a2 * s2;
-    const double v1 = wy * X1_1;
-    const double v2 = wx * Y1_1;
-    const four S1 = v1 - e1 * v2;
-    const double v3 = wx * X1_1;
-    const double v4 = wy * Y1_1;
-    const four C1 = v3 + e1 * v4;
-    const four w1 = sqrt_four(S1 * S1 + C1 * C1);
-    const four factor1 = 1.0 / w1;
-    const four q1 = atan2_four(S1 * factor1, C1 * factor1);
+    const double X1_1 = a1 + a2 * (k2 * K2);
+    const double Y1_1 = a2 * (k2 * w2);
+    const double v2 = wy * X1_1;
+    const double v3 = wx * Y1_1;
+    const four S1 = v2 - e1 * v3;
+    const double v4 = wx * X1_1;
+    const double v5 = wy * Y1_1;
+    const four C1 = v4 + e1 * v5;
 
     /* theta12m4 */
-    const double w12m4 = sqrt(T13 * T13 + T23 * T23);
-    const double factor12m4 = 1.0 / w12m4;
-    const four q2 = e1 * q2_;
-    const four v5 = q1 + q2;
-    const double v6 = T13 * factor12m4;
-    const double v7 = T23 * factor12m4;
-
-    /* theta5 */
-    const four q5_ = atan2_four(all_four(w12m4), all_four(-T33));
+    const double v6 = T13 * T13 + T23 * T23;
 
     /* theta6 */
-    const double s6 = v6 * T21 - v7 * T11;
-    const four v8 = atan2_four(all_four(s6), all_four(v6 * T22 - v7 * T12));
-    const double v9 = copysign(half_turn, s6);
-    const four v10 = m1 * (e2 - 1.0);
+    const double s6 = T13 * T21 - T23 * T11;
+    const double v8 = copysign(half_turn, s6);
+    const four v9 = m3 * (e2 - 1.0);
 
     /* joint values */
-    const four v11 = atan2_four(all_four(-v7), all_four(-v6));
-    const double v12 = copysign(half_turn, -v7);
-    const four v13 = v11 + v10 * v12;
-    const four v14 = v5 - v13;
-    const four q4 = v14 - pick_four(half_turn < v14, all_four(m2), all_four(0.0)) + pick_four(v14 <=
-        -half_turn, all_four(m2), all_four(0.0));
-    const double v15 = w2 - w2;
-    const double q3 = v15 + (T34 - d6 * T33 - d1);
-    const four q5 = v15 + e2 * q5_;
-    const four q6 = v15 + (v8 + v9 * v10);
+    const double v10 = copysign(half_turn, -T23);
+    const double q3 = v1 + (T34 - d6 * T33 - d1);
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | (w12m4 <= free_limit);
-    const four_mask doubt = (w1 <= free_limit_squared2) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+        N2) & (N2 < longest2_apart)) == 0)) | (v6 <= m2);
+    const four_mask doubt = (S1 * S1 + C1 * C1 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
+        all_four(w2), 0, 5, 2, 3), all_four(sqrt(v6)), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(K2), 0, 5, 2, 3),
+        all_four(-T33), 0, 1, 2, 7));
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four packed2 = atan2_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12, -T13,
+        T13 * T22 - T23 * T12, T13 * T22 - T23 * T12 });
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q2 = e1 * angle1;
+    const four v7 = angle1_ + q2;
+    const four v11 = angle1____ + v9 * v10;
+    const four v12 = v7 - v11;
+    const four q4 = v12 - pick_four(half_turn < v12, all_four(m4), all_four(0.0)) + pick_four(v12 <=
+        -half_turn, all_four(m4), all_four(0.0));
+    const four q5 = v1 + e2 * angle1__;
+    const four q6 = v1 + (angle1___ + v8 * v9);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, all_four(q3), q4);
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1_, q2, all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
+    const four_mask kind1 = kind_of(angle1_ != angle1_, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[1] = (unsigned char)kind1[1];

@@ -32,8 +32,11 @@ static const double pose_slack1 = 9.52e-06; /* a pose may be rounded by this [m]
 static const double k1 = 0.097682; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 9.06304e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m4 = 8.213869404159996e-49; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const scorbot_pointing_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -227,25 +230,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -279,25 +284,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -312,25 +319,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -361,163 +370,160 @@ HELPER wide_mask solve_wide(
     const wide T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = T14 * factor1;
-    const wide v2 = T24 * factor1;
-    const wide v3 = atan2_wide(-v2, -v1);
+    const wide v2 = T14 * factor1;
+    const wide v3 = T24 * factor1;
+    const wide angle1 = atan2_wide(-T24, -T14);
 
     /* theta234 */
-    const wide v4 = v1 * T13 + v2 * T23;
-    const wide w234 = sqrt_wide(T33 * T33 + v4 * v4);
-    const wide_mask free234 = w234 <= free_limit_squared;
-    const wide v5 = 1.0 / w234;
-    const wide c234 = T33 * v5;
-    const wide v6 = v4 * v5;
-    const wide theta234 = atan2_wide(-v6, c234);
+    const wide v4 = v2 * T13 + v3 * T23;
+    const wide v5 = T33 * T33 + v4 * v4;
+    const wide_mask free234 = v5 <= m3;
+    const wide v6 = 1.0 / sqrt_wide(v5);
+    const wide c234 = T33 * v6;
+    const wide v7 = v4 * v6;
+    const wide angle1_ = atan2_wide(-v4, T33);
 
     /* theta3 */
-    const wide v7 = d5 * c234;
-    const wide Z1_3 = T34 - d1 - v7;
-    const wide v8 = d5 * v6;
-    const wide v9 = a1 + w1 - v8;
-    const wide v10 = v8 + (a1 - w1);
-    const wide v11 = Z1_3 * Z1_3;
-    const wide N3_p = v11 + v9 * v9;
-    const wide N3_m = v11 + v10 * v10;
+    const wide v8 = d5 * c234;
+    const wide Z1_3 = T34 - d1 - v8;
+    const wide v9 = d5 * v7;
+    const wide v10 = a1 + w1 - v9;
+    const wide v11 = v9 + (a1 - w1);
+    const wide v12 = Z1_3 * Z1_3;
+    const wide N3_p = v12 + v10 * v10;
+    const wide N3_m = v12 + v11 * v11;
+    const wide K3_p = N3_p - k1;
+    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide v13 = w3_p - w3_p;
+    const wide v14 = w3_m - w3_m;
     const wide s3_p = k2 * w3_p;
     const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * (N3_p - k1);
-    const wide c3_m = k2 * (N3_m - k1);
-    const wide q3__p = atan2_wide(s3_p, c3_p);
-    const wide q3__m = atan2_wide(s3_m, c3_m);
+    const wide c3_p = k2 * K3_p;
+    const wide c3_m = k2 * K3_m;
+    const wide angle1__ = atan2_wide(w3_p, K3_p);
+    const wide angle1___ = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const wide v12 = a3 * s3_p;
-    const wide v13 = a3 * s3_m;
+    const wide v15 = a3 * s3_p;
+    const wide v16 = a3 * s3_m;
     const wide Y1_2_p = a2 + a3 * c3_p;
     const wide Y1_2_m = a2 + a3 * c3_m;
-    const wide v14 = Z1_3 * Y1_2_p;
-    const wide v15 = Z1_3 * Y1_2_m;
-    const wide v16 = v9 * v12;
-    const wide v17 = v10 * v13;
-    const wide S2_pp = v16 - v14;
-    const wide v18 = v14 + v16;
-    const wide S2_mp = v17 - v15;
-    const wide v19 = v15 + v17;
-    const wide v20 = v9 * Y1_2_p;
-    const wide v21 = v10 * Y1_2_m;
-    const wide v22 = Z1_3 * v12;
-    const wide v23 = Z1_3 * v13;
-    const wide v24 = v20 + v22;
-    const wide v25 = v20 - v22;
-    const wide v26 = v21 + v23;
-    const wide v27 = v21 - v23;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v24 * v24);
-    const wide w2_pm = sqrt_wide(v18 * v18 + v25 * v25);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v26 * v26);
-    const wide w2_mm = sqrt_wide(v19 * v19 + v27 * v27);
-    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
-    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
-    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
-    const wide_mask free2_mm = w2_mm <= free_limit_squared2;
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v28 = v24 * factor2_pp;
-    const wide v29 = v25 * factor2_pm;
-    const wide v30 = v26 * factor2_mp;
-    const wide v31 = v27 * factor2_mm;
+    const wide v17 = Z1_3 * Y1_2_p;
+    const wide v18 = Z1_3 * Y1_2_m;
+    const wide v19 = v10 * v15;
+    const wide v20 = v11 * v16;
+    const wide S2_pp = v19 - v17;
+    const wide v21 = v17 + v19;
+    const wide S2_mp = v20 - v18;
+    const wide v22 = v18 + v20;
+    const wide v23 = v10 * Y1_2_p;
+    const wide v24 = v11 * Y1_2_m;
+    const wide v25 = Z1_3 * v15;
+    const wide v26 = Z1_3 * v16;
+    const wide v27 = v23 + v25;
+    const wide v28 = v23 - v25;
+    const wide v29 = v24 + v26;
+    const wide v30 = v24 - v26;
+    const wide v31 = S2_pp * S2_pp + v27 * v27;
+    const wide v32 = v21 * v21 + v28 * v28;
+    const wide v33 = S2_mp * S2_mp + v29 * v29;
+    const wide v34 = v22 * v22 + v30 * v30;
+    const wide_mask free2_pp = v31 <= m4;
+    const wide_mask free2_pm = v32 <= m4;
+    const wide_mask free2_mp = v33 <= m4;
+    const wide_mask free2_mm = v34 <= m4;
+    const wide factor2_pp = 1.0 / sqrt_wide(v31);
+    const wide factor2_pm = 1.0 / sqrt_wide(v32);
+    const wide factor2_mp = 1.0 / sqrt_wide(v33);
+    const wide factor2_mm = 1.0 / sqrt_wide(v34);
+    const wide v35 = v27 * factor2_pp;
+    const wide v36 = v28 * factor2_pm;
+    const wide v37 = v29 * factor2_mp;
+    const wide v38 = v30 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
-    const wide v32 = v18 * factor2_pm;
+    const wide v39 = v21 * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
-    const wide v33 = v19 * factor2_mm;
-    const wide q2__pp = atan2_wide(s2_pp, -v28);
-    const wide q2__pm = atan2_wide(-v32, -v29);
-    const wide q2__mp = atan2_wide(s2_mp, -v30);
-    const wide q2__mm = atan2_wide(-v33, -v31);
+    const wide v40 = v22 * factor2_mm;
+    const wide angle1____ = atan2_wide(S2_pp, -v27);
+    const wide angle1_____ = atan2_wide(-v21, -v28);
+    const wide angle1______ = atan2_wide(S2_mp, -v29);
+    const wide angle1_______ = atan2_wide(-v22, -v30);
 
     /* is the pose one that the arm can take? */
-    const wide v34 = a1 - v8;
-    const wide v35 = a1 + v8;
-    const wide v36 = v34 - a2 * v28 - a3 * (c3_p * v28 + s3_p * s2_pp);
-    const wide v37 = v34 - a2 * v29 - a3 * (c3_p * v29 + s3_p * v32);
-    const wide v38 = v35 - a2 * v30 - a3 * (c3_m * v30 + s3_m * s2_mp);
-    const wide v39 = v35 - a2 * v31 - a3 * (c3_m * v31 + s3_m * v33);
-    const wide v40 = d1 + v7;
-    const wide v41 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v1
-        * v6) <= pose_slack) & (abs_wide(T23 - v2 * v6) <= pose_slack)), all_wide(0.0),
-        all_wide(-1.0)));
-    const wide v42 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (c3_p * s2_pp - s3_p * v28) + (a2 *
-        s2_pp - v40))) <= pose_slack1) & ((abs_wide(T14 + v1 * v36) <= pose_slack1) & (abs_wide(T24
-        + v2 * v36) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v43 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (s3_p * v29 - c3_p * v32) - (v40 + a2
-        * v32))) <= pose_slack1) & ((abs_wide(T14 + v1 * v37) <= pose_slack1) & (abs_wide(T24 + v2 *
-        v37) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v44 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (c3_m * s2_mp - s3_m * v30) + (a2 *
-        s2_mp - v40))) <= pose_slack1) & ((abs_wide(T14 - v1 * v38) <= pose_slack1) & (abs_wide(T24
-        - v2 * v38) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v45 = sqrt_wide(pick_wide((abs_wide(T34 + (a3 * (s3_m * v31 - c3_m * v33) - (v40 + a2
-        * v33))) <= pose_slack1) & ((abs_wide(T14 - v1 * v39) <= pose_slack1) & (abs_wide(T24 - v2 *
-        v39) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v41 = a1 - v9;
+    const wide v42 = a1 + v9;
+    const wide v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp);
+    const wide v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39);
+    const wide v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp);
+    const wide v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40);
+    const wide v47 = d1 + v8;
+    const double v48 = sqrt(-1.0);
+    const wide v49 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v2 * v7) <=
+        pose_slack) & (abs_wide(T23 - v3 * v7) <= pose_slack)), all_wide(0.0), all_wide(v48));
+    const wide v50 = pick_wide((abs_wide(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp -
+        v47))) <= pose_slack1) & ((abs_wide(T14 + v2 * v43) <= pose_slack1) & (abs_wide(T24 + v3 *
+        v43) <= pose_slack1)), all_wide(0.0), all_wide(v48));
+    const wide v51 = pick_wide((abs_wide(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39)))
+        <= pose_slack1) & ((abs_wide(T14 + v2 * v44) <= pose_slack1) & (abs_wide(T24 + v3 * v44) <=
+        pose_slack1)), all_wide(0.0), all_wide(v48));
+    const wide v52 = pick_wide((abs_wide(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp -
+        v47))) <= pose_slack1) & ((abs_wide(T14 - v2 * v45) <= pose_slack1) & (abs_wide(T24 - v3 *
+        v45) <= pose_slack1)), all_wide(0.0), all_wide(v48));
+    const wide v53 = pick_wide((abs_wide(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40)))
+        <= pose_slack1) & ((abs_wide(T14 - v2 * v46) <= pose_slack1) & (abs_wide(T24 - v3 * v46) <=
+        pose_slack1)), all_wide(0.0), all_wide(v48));
 
     /* joint values */
-    const wide v46 = theta234 - (q3__p + q2__pp) - offset4;
-    const wide v47 = theta234 - (q2__pm - q3__p) - offset4;
-    const wide v48 = offset4 + (theta234 + (q3__m + q2__mp));
-    const wide v49 = offset4 + (theta234 + (q2__mm - q3__m));
-    const wide v50 = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0)) + pick_wide(v46
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v51 = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0)) + pick_wide(v47
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v52 = pick_wide(-v48 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v48 +
-        pick_wide(half_turn < -v48, all_wide(m2), all_wide(0.0)));
-    const wide v53 = pick_wide(-v49 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v49 +
-        pick_wide(half_turn < -v49, all_wide(m2), all_wide(0.0)));
-    const wide v54 = w3_p - w3_p;
-    const wide v55 = w3_m - w3_m;
-    const wide v56 = v41 - v41;
-    const wide v57 = v56 + (v3 + v54);
-    const wide v58 = v56 + (v55 + (v3 - copysign_wide(all_wide(half_turn), -v2) * h1));
-    const wide v59 = v42 - v42;
-    const wide v60 = v43 - v43;
-    const wide v61 = v44 - v44;
-    const wide v62 = v45 - v45;
-    const wide q1_pp = v57 + v59;
-    const wide q1_pm = v57 + v60;
-    const wide q1_mp = v58 + v61;
-    const wide q1_mm = v58 + v62;
-    const wide q2_pp = v59 + (q2__pp + v56);
-    const wide q2_pm = v60 + (q2__pm + v56);
-    const wide q2_mp = v61 + (q2__mp + v56);
-    const wide q2_mm = v62 + (q2__mm + v56);
-    const wide q3_pp = v59 + (q3__p + v56);
-    const wide q3_pm = v60 + (v56 - q3__p);
-    const wide q3_mp = v61 + (q3__m + v56);
-    const wide q3_mm = v62 + (v56 - q3__m);
-    const wide q4_pp = v59 + (v56 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m2),
+    const wide v54 = angle1_ - (angle1__ + angle1____) - offset4;
+    const wide v55 = angle1_ - (angle1_____ - angle1__) - offset4;
+    const wide v56 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v57 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v58 = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0)) + pick_wide(v54
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v59 = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0)) + pick_wide(v55
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v60 = pick_wide(-v56 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v56 +
+        pick_wide(half_turn < -v56, all_wide(m5), all_wide(0.0)));
+    const wide v61 = pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v57 +
+        pick_wide(half_turn < -v57, all_wide(m5), all_wide(0.0)));
+    const wide v62 = v49 + (angle1 + v13);
+    const wide v63 = v49 + (v14 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
+    const wide q1_pp = v50 + v62;
+    const wide q1_pm = v51 + v62;
+    const wide q1_mp = v52 + v63;
+    const wide q1_mm = v53 + v63;
+    const wide q2_pp = v50 + (angle1____ + v49);
+    const wide q2_pm = v51 + (angle1_____ + v49);
+    const wide q2_mp = v52 + (angle1______ + v49);
+    const wide q2_mm = v53 + (angle1_______ + v49);
+    const wide q3_pp = v50 + (angle1__ + v49);
+    const wide q3_pm = v51 + (v49 - angle1__);
+    const wide q3_mp = v52 + (angle1___ + v49);
+    const wide q3_mm = v53 + (v49 - angle1___);
+    const wide q4_pp = v50 + (v49 + (v58 + pick_wide(v58 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_pm = v60 + (v56 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m2),
+    const wide q4_pm = v51 + (v49 + (v59 + pick_wide(v59 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mp = v61 + (v56 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m2),
+    const wide q4_mp = v52 + (v49 + (v60 + pick_wide(v60 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mm = v62 + (v56 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m2),
+    const wide q4_mm = v53 + (v49 + (v61 + pick_wide(v61 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide v63 = v56 + (v54 + free_joints[0]);
-    const wide v64 = v56 + (v55 + free_joints[0]);
-    const wide q5_pp = v59 + v63;
-    const wide q5_pm = v60 + v63;
-    const wide q5_mp = v61 + v64;
-    const wide q5_mm = v62 + v64;
+    const wide v64 = v49 + (v13 + free_joints[0]);
+    const wide v65 = v49 + (v14 + free_joints[0]);
+    const wide q5_pp = v50 + v64;
+    const wide q5_pm = v51 + v64;
+    const wide q5_mp = v52 + v65;
+    const wide q5_mm = v53 + v65;
     const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
         ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
         (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free234 | (w1 <=
-        free_limit1)))))));
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free234 | (v1 <= m1)))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -601,7 +607,7 @@ HELPER double irregularity_double(const double T[16], const double free_joints[1
     return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(
@@ -614,81 +620,87 @@ HELPER int solve_regular(
     const double T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = T14 * factor1;
-    const double v2 = T24 * factor1;
-    const four v3 = atan2_four(all_four(-v2), all_four(-v1));
-    const double v4 = copysign(half_turn, -v2);
+    const double v2 = T14 * factor1;
+    const double v3 = T24 * factor1;
+    const double v4 = copysign(half_turn, -T24);
 
     /* theta234 */
-    const double v5 = v1 * T13 + v2 * T23;
-    const double w234 = sqrt(T33 * T33 + v5 * v5);
-    const int free234 = w234 <= free_limit_squared;
-    const double v6 = 1.0 / w234;
-    const double c234 = T33 * v6;
-    const double v7 = v5 * v6;
-    const four theta234 = atan2_four(all_four(-v7), all_four(c234));
+    const double v5 = v2 * T13 + v3 * T23;
+    const double v6 = T33 * T33 + v5 * v5;
+    const int free234 = v6 <= m3;
+    const double v7 = 1.0 / sqrt(v6);
+    const double c234 = T33 * v7;
+    const double v8 = v5 * v7;
 
     /* theta3 */
-    const double v8 = d5 * c234;
-    const double Z1_3 = T34 - d1 - v8;
-    const double v9 = d5 * v7;
-    const four v10 = e1 * v9;
-    const four v11 = a1 + e1 * w1 - v10;
-    const double v12 = Z1_3 * Z1_3;
-    const four N3 = v12 + v11 * v11;
+    const double v9 = d5 * c234;
+    const double Z1_3 = T34 - d1 - v9;
+    const double v10 = d5 * v8;
+    const four v11 = e1 * v10;
+    const four v12 = a1 + e1 * w1 - v11;
+    const double v13 = Z1_3 * Z1_3;
+    const four N3 = v13 + v12 * v12;
+    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four v14 = w3 - w3;
     const four s3 = k2 * w3;
-    const four c3 = k2 * (N3 - k1);
-    const four q3_ = atan2_four(s3, c3);
+    const four c3 = k2 * K3;
 
     /* theta2 */
-    const four v13 = a3 * s3;
+    const four v15 = a3 * s3;
     const four Y1_2 = a2 + a3 * c3;
-    const four v14 = Z1_3 * Y1_2;
-    const four v15 = v11 * v13;
-    const four S2 = e2 * v15 - v14;
-    const four v16 = v11 * Y1_2;
-    const four v17 = Z1_3 * v13;
-    const four v18 = v16 + e2 * v17;
-    const four w2 = sqrt_four(S2 * S2 + v18 * v18);
-    const four_mask free2 = w2 <= free_limit_squared2;
-    const four factor2 = 1.0 / w2;
-    const four v19 = v18 * factor2;
+    const four v16 = Z1_3 * Y1_2;
+    const four v17 = v12 * v15;
+    const four S2 = e2 * v17 - v16;
+    const four v18 = v12 * Y1_2;
+    const four v19 = Z1_3 * v15;
+    const four v20 = v18 + e2 * v19;
+    const four v21 = S2 * S2 + v20 * v20;
+    const four_mask free2 = v21 <= m4;
+    const four factor2 = 1.0 / sqrt_four(v21);
+    const four v22 = v20 * factor2;
     const four s2 = S2 * factor2;
-    const four q2_ = atan2_four(s2, -v19);
 
     /* is the pose one that the arm can take? */
-    const four v20 = a1 - v10;
-    const four v21 = v20 - a2 * v19 - a3 * (c3 * v19 + e2 * (s3 * s2));
-    const double v22 = d1 + v8;
-    const double v23 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v1 * v7) <= pose_slack)
-        & (fabs(T23 - v2 * v7) <= pose_slack))) ? 0.0 : (-1.0));
-    const four v24 = sqrt_four(pick_four((abs_four(T34 + (a3 * (c3 * s2 - e2 * (s3 * v19)) + (a2 *
-        s2 - v22))) <= pose_slack1) & ((abs_four(T14 + e1 * (v1 * v21)) <= pose_slack1) &
-        (abs_four(T24 + e1 * (v2 * v21)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+    const four v23 = a1 - v11;
+    const four v24 = v23 - a2 * v22 - a3 * (c3 * v22 + e2 * (s3 * s2));
+    const double v25 = d1 + v9;
+    const double v26 = sqrt(-1.0);
+    const double v27 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v2 * v8) <= pose_slack) &
+        (fabs(T23 - v3 * v8) <= pose_slack))) ? 0.0 : v26;
+    const four v28 = pick_four((abs_four(T34 + (a3 * (c3 * s2 - e2 * (s3 * v22)) + (a2 * s2 - v25)))
+        <= pose_slack1) & ((abs_four(T14 + e1 * (v2 * v24)) <= pose_slack1) & (abs_four(T24 + e1 *
+        (v3 * v24)) <= pose_slack1)), all_four(0.0), all_four(v26));
 
     /* joint values */
-    const four v25 = e2 * q3_;
-    const four v26 = e1 * theta234;
-    const four v27 = v26 - (q2_ + v25) - offset4;
-    const four v28 = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const four v29 = w3 - w3;
-    const double v30 = v23 - v23;
-    const four v31 = v30 + (v29 + (v3 + v4 * (m1 * (e1 - 1.0))));
-    const four v32 = v24 - v24;
-    const four q1 = v31 + v32;
-    const four q2 = v32 + (q2_ + v30);
-    const four q3 = v32 + (v25 + v30);
-    const four q4 = v32 + (v30 + (v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0))));
-    const four v33 = v30 + (v29 + free_joints[0]);
-    const four q5 = v32 + v33;
-    const int doubt1 = free234 | (w1 <= free_limit1);
-    const four_mask v34 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const four v34 = v27 + (v14 + free_joints[0]);
+    const four q5 = v28 + v34;
+    const int doubt1 = free234 | (v1 <= m1);
+    const four_mask v35 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v34;
+    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v35;
+
+    const four angle1___ = atan2_four(S2, -v20);
+    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
+        all_four(-T24), 0, 5, 2, 3), all_four(-v5), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-T14), 0, 5, 2, 3),
+        all_four(T33), 0, 1, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v29 = e2 * angle1__;
+    const four v30 = e1 * angle1_;
+    const four v31 = v30 - (angle1___ + v29) - offset4;
+    const four v32 = v31 - pick_four(half_turn < v31, all_four(m5), all_four(0.0)) + pick_four(v31
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four v33 = v27 + (v14 + (angle1 + v4 * (m2 * (e1 - 1.0))));
+    const four q1 = v28 + v33;
+    const four q2 = v28 + (angle1___ + v27);
+    const four q3 = v28 + (v27 + v29);
+    const four q4 = v28 + (v27 + (v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0))));
 
     if (!(irregularity_double(T, free_joints) <= 1e-24))
         return -1;

@@ -17,7 +17,8 @@ static const double k1 = 0.0225; /* d2^2 [m^2] */
 static const double k2 = 4.5000000000002246e-15; /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
 static const double k3 = 4.500000000000022e-16; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 2.2499999999999997e-26; /* free_limit1^2 [m^2] */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const spherical_offset_branches[4] = {
     "left-forward", "left-backward", "right-forward", "right-backward",
@@ -142,25 +143,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -194,25 +197,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -227,25 +232,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -278,39 +285,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = d2 * T14;
-    const wide v2 = d2 * T24;
-    const wide v3 = T14 * w1;
-    const wide v4 = T24 * w1;
-    const wide q1_pp = atan2_wide(-(inverse1 * (v1 + v4)), inverse1 * (v2 - v3));
-    const wide q1_mp = atan2_wide(-(inverse1 * (v1 - v4)), inverse1 * (v2 + v3));
+    const wide v1 = w1 - w1;
+    const wide v2 = d2 * T14;
+    const wide v3 = d2 * T24;
+    const wide v4 = T14 * w1;
+    const wide v5 = T24 * w1;
+    const wide angle1 = atan2_wide(-(v2 + v5), v3 - v4);
+    const wide angle1_ = atan2_wide(v5 - v2, v3 + v4);
 
     /* theta2, r3 */
-    const wide q3_pp = sqrt_wide(T34 * T34 + w1 * w1);
-    const wide factor2 = 1.0 / q3_pp;
-    const wide q2_pp = atan2_wide(-(w1 * factor2), T34 * factor2);
-    const wide q2_pm = q2_pp - copysign_wide(all_wide(half_turn), -(w1 * factor2)) * h1;
+    const wide v6 = D1 + T34 * T34;
+    const wide w3 = sqrt_wide(v6);
+    const wide angle1__ = atan2_wide(-w1, T34);
+    const wide q2_pm = angle1__ - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* joint values */
-    const wide_mask doubt = (q3_pp <= free_limit1) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) ==
-        0))));
+    const wide q3_pp = v1 + w3;
+    const wide q3_pm = v1 - w3;
+    const wide_mask doubt = (v6 <= m1) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
+    q[0] = angle1;
+    q[1] = angle1__;
     q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_pp;
+    q[3] = angle1;
     q[4] = q2_pm;
-    q[5] = -q3_pp;
+    q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp;
-    q[7] = -q2_pp;
+    q[6] = angle1_;
+    q[7] = -angle1__;
     q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp;
+    q[9] = angle1_;
     q[10] = -q2_pm;
-    q[11] = -q3_pp;
+    q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -369,7 +377,7 @@ HELPER double irregularity_double(const double T[16])
     return 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
@@ -385,33 +393,36 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = d2 * T14;
-    const double v2 = d2 * T24;
-    const double v3 = T14 * w1;
-    const double v4 = T24 * w1;
-    const four q1 = atan2_four(-(inverse1 * (v1 + e1 * v4)), inverse1 * (v2 - e1 * v3));
+    const double v1 = w1 - w1;
+    const double v2 = d2 * T14;
+    const double v3 = d2 * T24;
+    const double v4 = T14 * w1;
+    const double v5 = T24 * w1;
 
     /* theta2, r3 */
-    const double w3 = sqrt(T34 * T34 + w1 * w1);
-    const double factor2 = 1.0 / w3;
-    const four v5 = atan2_four(all_four(-(w1 * factor2)), all_four(T34 * factor2));
-    const double v6 = copysign(half_turn, -(w1 * factor2));
-    const four q2_ = v5 + v6 * (m1 * (e2 - 1.0));
+    const double v6 = D1 + T34 * T34;
+    const double w3 = sqrt(v6);
+    const double v7 = copysign(half_turn, -w1);
 
     /* joint values */
+    const four q3 = v1 + e2 * w3;
+    const int doubt = (v6 <= m1) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
+
+    const four packed1 = atan2_four(__builtin_shufflevector(-(v2 + e1 * v5), all_four(-w1), 0, 5, 2,
+        3), __builtin_shufflevector(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four q2_ = angle1_ + v7 * (m2 * (e2 - 1.0));
     const four q2 = e1 * q2_;
-    const four q3 = e2 * w3;
-    const int doubt = (w3 <= free_limit1) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (doubt)
         return -1;
     int count = 0;
-    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2);
+    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1, q2);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
+    const four_mask kind1 = kind_of(angle1 != angle1, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[1] = (unsigned char)kind1[1];

@@ -41,8 +41,12 @@ static const double k5 = 0.3268; /* 2 * d4 * a2 [m^2] */
 static const double k6 = 0.0774; /* 2 * a3 * a2 [m^2] */
 static const double k7 = 0.3374; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k8 = 8.866112830151877; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+static const double turn1 = -1.3382393849899876; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.0038758560000011e-47; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -285,25 +289,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -337,25 +343,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -370,25 +378,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -438,43 +448,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v1 = k1 * wx;
     const wide v2 = k1 * Y1;
     const wide v3 = wx * w1;
-    const wide v4 = inverse1 * (v2 + v3);
-    const wide v5 = inverse1 * (v2 - v3);
-    const wide v6 = Y1 * w1;
-    const wide s1_p = inverse1 * (v6 - v1);
-    const wide v7 = inverse1 * (v1 + v6);
+    const wide v4 = v2 + v3;
+    const wide v5 = v2 - v3;
+    const wide v6 = inverse1 * v4;
+    const wide v7 = inverse1 * v5;
+    const wide v8 = Y1 * w1;
+    const wide v9 = v8 - v1;
+    const wide v10 = v1 + v8;
+    const wide s1_p = inverse1 * v9;
+    const wide v11 = inverse1 * v10;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v8 = a1 + w1;
-    const wide v9 = a1 - w1;
-    const wide v10 = Z1_3 * Z1_3;
-    const wide N3_p = v10 + v8 * v8;
-    const wide N3_m = v10 + v9 * v9;
+    const wide v12 = a1 + w1;
+    const wide v13 = a1 - w1;
+    const wide v14 = Z1_3 * Z1_3;
+    const wide N3_p = v14 + v12 * v12;
+    const wide N3_m = v14 + v13 * v13;
     const wide K3_p = N3_p - k7;
     const wide K3_m = N3_m - k7;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v11 = k5 * K3_p;
-    const wide v12 = k5 * K3_m;
-    const wide v13 = k6 * w3_p;
-    const wide v14 = k6 * w3_m;
-    const wide s3_pp = k8 * (v11 + v13);
-    const wide s3_pm = k8 * (v11 - v13);
-    const wide s3_mp = k8 * (v12 + v14);
-    const wide s3_mm = k8 * (v12 - v14);
-    const wide v15 = k6 * K3_p;
-    const wide v16 = k6 * K3_m;
-    const wide v17 = k5 * w3_p;
-    const wide v18 = k5 * w3_m;
-    const wide c3_pp = k8 * (v15 - v17);
-    const wide c3_pm = k8 * (v15 + v17);
-    const wide c3_mp = k8 * (v16 - v18);
-    const wide c3_mm = k8 * (v16 + v18);
-    const wide q3_ppp = atan2_wide(s3_pp, c3_pp);
-    const wide q3_pmp = atan2_wide(s3_pm, c3_pm);
-    const wide q3_mpp = atan2_wide(s3_mp, c3_mp);
-    const wide q3_mmp = atan2_wide(s3_mm, c3_mm);
+    const wide v15 = k5 * K3_p;
+    const wide v16 = k5 * K3_m;
+    const wide v17 = k6 * w3_p;
+    const wide v18 = k6 * w3_m;
+    const wide s3_pp = k8 * (v15 + v17);
+    const wide s3_pm = k8 * (v15 - v17);
+    const wide s3_mp = k8 * (v16 + v18);
+    const wide s3_mm = k8 * (v16 - v18);
+    const wide v19 = k6 * K3_p;
+    const wide v20 = k6 * K3_m;
+    const wide v21 = k5 * w3_p;
+    const wide v22 = k5 * w3_m;
+    const wide c3_pp = k8 * (v19 - v21);
+    const wide c3_pm = k8 * (v19 + v21);
+    const wide c3_mp = k8 * (v20 - v22);
+    const wide c3_mm = k8 * (v20 + v22);
+    const wide angle1 = atan2_wide(w3_p, K3_p);
+    const wide angle1_ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1 - turn1;
+    const wide v23 = turn1 + angle1;
+    const wide q3__mp = angle1_ - turn1;
+    const wide v24 = turn1 + angle1_;
 
     /* theta2 */
     const wide X1_2_pp = d4 * c3_pp - a3 * s3_pp;
@@ -485,172 +501,184 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
     const wide Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
     const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide v19 = v8 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v20 = v8 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v21 = v9 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v22 = v9 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v8 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v8 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v9 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v9 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(v19 * v19 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(v20 * v20 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v21 * v21 + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(v22 * v22 + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v25 = v12 * X1_2_pp + Z1_3 * Y1_2_pp;
+    const wide v26 = v12 * X1_2_pm + Z1_3 * Y1_2_pm;
+    const wide v27 = v13 * X1_2_mp + Z1_3 * Y1_2_mp;
+    const wide v28 = v13 * X1_2_mm + Z1_3 * Y1_2_mm;
+    const wide C2_pp = Z1_3 * X1_2_pp - v12 * Y1_2_pp;
+    const wide C2_pm = Z1_3 * X1_2_pm - v12 * Y1_2_pm;
+    const wide C2_mp = Z1_3 * X1_2_mp - v13 * Y1_2_mp;
+    const wide C2_mm = Z1_3 * X1_2_mm - v13 * Y1_2_mm;
+    const wide v29 = v25 * v25 + C2_pp * C2_pp;
+    const wide v30 = v26 * v26 + C2_pm * C2_pm;
+    const wide v31 = v27 * v27 + C2_mp * C2_mp;
+    const wide v32 = v28 * v28 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v29);
+    const wide factor2_pm = 1.0 / sqrt_wide(v30);
+    const wide factor2_mp = 1.0 / sqrt_wide(v31);
+    const wide factor2_mm = 1.0 / sqrt_wide(v32);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
     const wide c2_mm = C2_mm * factor2_mm;
-    const wide v23 = v19 * factor2_pp;
-    const wide v24 = v20 * factor2_pm;
-    const wide v25 = v21 * factor2_mp;
-    const wide v26 = v22 * factor2_mm;
-    const wide q2_ppp = atan2_wide(-v23, c2_pp);
-    const wide q2_pmp = atan2_wide(-v24, c2_pm);
-    const wide q2_mpp = atan2_wide(-v25, c2_mp);
-    const wide q2_mmp = atan2_wide(-v26, c2_mm);
+    const wide v33 = v25 * factor2_pp;
+    const wide v34 = v26 * factor2_pm;
+    const wide v35 = v27 * factor2_mp;
+    const wide v36 = v28 * factor2_mm;
+    const wide angle1__ = atan2_wide(-v25, C2_pp);
+    const wide angle1___ = atan2_wide(-v26, C2_pm);
+    const wide angle1____ = atan2_wide(-v27, C2_mp);
+    const wide angle1_____ = atan2_wide(-v28, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_pp * c2_pp + s3_pp * v23;
-    const wide c23_pm = c3_pm * c2_pm + s3_pm * v24;
-    const wide c23_mp = c3_mp * c2_mp + s3_mp * v25;
-    const wide c23_mm = c3_mm * c2_mm + s3_mm * v26;
-    const wide s23_pp = s3_pp * c2_pp - c3_pp * v23;
-    const wide s23_pm = s3_pm * c2_pm - c3_pm * v24;
-    const wide s23_mp = s3_mp * c2_mp - c3_mp * v25;
-    const wide s23_mm = s3_mm * c2_mm - c3_mm * v26;
-    const wide v27 = T23 * s1_p - T13 * v4;
-    const wide v28 = T23 * v7 + T13 * v5;
-    const wide X4_pp = c23_pp * v27 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v27 - T33 * s23_pm;
-    const wide v29 = c23_mp * v28 + T33 * s23_mp;
-    const wide v30 = c23_mm * v28 + T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v4;
-    const wide Y4_m = T23 * v5 - T13 * v7;
-    const wide v31 = Y4_p * Y4_p;
-    const wide v32 = Y4_m * Y4_m;
-    const wide w4_pp = sqrt_wide(v31 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v31 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v32 + v29 * v29);
-    const wide w4_mm = sqrt_wide(v32 + v30 * v30);
+    const wide c23_pp = c3_pp * c2_pp + s3_pp * v33;
+    const wide c23_pm = c3_pm * c2_pm + s3_pm * v34;
+    const wide c23_mp = c3_mp * c2_mp + s3_mp * v35;
+    const wide c23_mm = c3_mm * c2_mm + s3_mm * v36;
+    const wide s23_pp = s3_pp * c2_pp - c3_pp * v33;
+    const wide s23_pm = s3_pm * c2_pm - c3_pm * v34;
+    const wide s23_mp = s3_mp * c2_mp - c3_mp * v35;
+    const wide s23_mm = s3_mm * c2_mm - c3_mm * v36;
+    const wide v37 = T23 * s1_p - T13 * v6;
+    const wide v38 = T23 * v11 + T13 * v7;
+    const wide X4_pp = c23_pp * v37 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v37 - T33 * s23_pm;
+    const wide v39 = c23_mp * v38 + T33 * s23_mp;
+    const wide v40 = c23_mm * v38 + T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v6;
+    const wide Y4_m = T23 * v7 - T13 * v11;
+    const wide v41 = Y4_p * Y4_p;
+    const wide v42 = Y4_m * Y4_m;
+    const wide v43 = v41 + X4_pp * X4_pp;
+    const wide v44 = v41 + X4_pm * X4_pm;
+    const wide v45 = v42 + v39 * v39;
+    const wide v46 = v42 + v40 * v40;
+    const wide w4_pp = sqrt_wide(v43);
+    const wide w4_pm = sqrt_wide(v44);
+    const wide w4_mp = sqrt_wide(v45);
+    const wide w4_mm = sqrt_wide(v46);
     const wide factor4_pp = 1.0 / w4_pp;
     const wide factor4_pm = 1.0 / w4_pm;
     const wide factor4_mp = 1.0 / w4_mp;
     const wide factor4_mm = 1.0 / w4_mm;
-    const wide v33 = X4_pp * factor4_pp;
-    const wide v34 = X4_pm * factor4_pm;
-    const wide v35 = v29 * factor4_mp;
-    const wide v36 = v30 * factor4_mm;
+    const wide v47 = X4_pp * factor4_pp;
+    const wide v48 = X4_pm * factor4_pm;
+    const wide v49 = v39 * factor4_mp;
+    const wide v50 = v40 * factor4_mm;
     const wide s4_pp = Y4_p * factor4_pp;
     const wide s4_pm = Y4_p * factor4_pm;
     const wide s4_mp = Y4_m * factor4_mp;
     const wide s4_mm = Y4_m * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v33);
-    const wide q4_pmp = atan2_wide(s4_pm, -v34);
-    const wide q4_mpp = atan2_wide(s4_mp, v35);
-    const wide q4_mmp = atan2_wide(s4_mm, v36);
-    const wide q4_ppm = q4_ppp - copysign_wide(all_wide(half_turn), s4_pp) * h1;
-    const wide q4_pmm = q4_pmp - copysign_wide(all_wide(half_turn), s4_pm) * h1;
-    const wide q4_mpm = q4_mpp - copysign_wide(all_wide(half_turn), s4_mp) * h1;
-    const wide q4_mmm = q4_mmp - copysign_wide(all_wide(half_turn), s4_mm) * h1;
+    const wide angle1______ = atan2_wide(Y4_p, -X4_pp);
+    const wide angle1_______ = atan2_wide(Y4_p, -X4_pm);
+    const wide angle1________ = atan2_wide(Y4_m, v39);
+    const wide angle1_________ = atan2_wide(Y4_m, v40);
+    const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
+    const wide q4_ppm = angle1______ - v51;
+    const wide q4_pmm = angle1_______ - v51;
+    const wide q4_mpm = angle1________ - v52;
+    const wide q4_mmm = angle1_________ - v52;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(-w4_pp, T33 * c23_pp + s23_pp * v27);
-    const wide q5_pmp = atan2_wide(-w4_pm, T33 * c23_pm + s23_pm * v27);
-    const wide q5_mpp = atan2_wide(-w4_mp, T33 * c23_mp - s23_mp * v28);
-    const wide q5_mmp = atan2_wide(-w4_mm, T33 * c23_mm - s23_mm * v28);
+    const wide angle1__________ = atan2_wide(-w4_pp, T33 * c23_pp + s23_pp * v37);
+    const wide angle1___________ = atan2_wide(-w4_pm, T33 * c23_pm + s23_pm * v37);
+    const wide angle1____________ = atan2_wide(-w4_mp, T33 * c23_mp - s23_mp * v38);
+    const wide angle1_____________ = atan2_wide(-w4_mm, T33 * c23_mm - s23_mm * v38);
 
     /* theta6 */
-    const wide v37 = s1_p * T12 + v4 * T22;
-    const wide v38 = v5 * T22 - v7 * T12;
-    const wide v39 = s1_p * T22 - v4 * T12;
-    const wide v40 = v7 * T22 + v5 * T12;
-    const wide v41 = s1_p * T11 + v4 * T21;
-    const wide v42 = v5 * T21 - v7 * T11;
-    const wide v43 = s1_p * T21 - v4 * T11;
-    const wide v44 = v7 * T21 + v5 * T11;
-    const wide v45 = v33 * v41 - s4_pp * (c23_pp * v43 - s23_pp * T31);
-    const wide v46 = v34 * v41 - s4_pm * (c23_pm * v43 - s23_pm * T31);
-    const wide v47 = s4_mp * (c23_mp * v44 + s23_mp * T31) - v35 * v42;
-    const wide v48 = s4_mm * (c23_mm * v44 + s23_mm * T31) - v36 * v42;
-    const wide q6_ppp = atan2_wide(v45, v33 * v37 - s4_pp * (c23_pp * v39 - s23_pp * T32));
-    const wide q6_pmp = atan2_wide(v46, v34 * v37 - s4_pm * (c23_pm * v39 - s23_pm * T32));
-    const wide q6_mpp = atan2_wide(v47, s4_mp * (c23_mp * v40 + s23_mp * T32) - v35 * v38);
-    const wide q6_mmp = atan2_wide(v48, s4_mm * (c23_mm * v40 + s23_mm * T32) - v36 * v38);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v47);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide v53 = s1_p * T12 + v6 * T22;
+    const wide v54 = v7 * T22 - v11 * T12;
+    const wide v55 = s1_p * T22 - v6 * T12;
+    const wide v56 = v11 * T22 + v7 * T12;
+    const wide v57 = s1_p * T11 + v6 * T21;
+    const wide v58 = v7 * T21 - v11 * T11;
+    const wide v59 = s1_p * T21 - v6 * T11;
+    const wide v60 = v11 * T21 + v7 * T11;
+    const wide v61 = v47 * v57 - s4_pp * (c23_pp * v59 - s23_pp * T31);
+    const wide v62 = v48 * v57 - s4_pm * (c23_pm * v59 - s23_pm * T31);
+    const wide v63 = s4_mp * (c23_mp * v60 + s23_mp * T31) - v49 * v58;
+    const wide v64 = s4_mm * (c23_mm * v60 + s23_mm * T31) - v50 * v58;
+    const wide angle1______________ = atan2_wide(v61, v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp *
+        T32));
+    const wide angle1_______________ = atan2_wide(v62, v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm *
+        T32));
+    const wide angle1________________ = atan2_wide(v63, s4_mp * (c23_mp * v56 + s23_mp * T32) - v49
+        * v54);
+    const wide angle1_________________ = atan2_wide(v64, s4_mm * (c23_mm * v56 + s23_mm * T32) - v50
+        * v54);
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v61);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v62);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v63);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v64);
 
     /* joint values */
-    const wide q1_ppp = atan2_wide(s1_p, -v4) + (w3_p - w3_p);
-    const wide q1_mpp = atan2_wide(-v7, -v5) + (w3_m - w3_m);
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) &
-        (free1 | ((k4 < D1) == 0)))))))));
+    const wide q3_ppp = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m4), all_wide(0.0));
+    const wide q3_mpp = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m4), all_wide(0.0));
+    const wide angle1__________________ = atan2_wide(v9, -v4);
+    const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
+    const wide angle1___________________ = atan2_wide(-v10, -v5);
+    const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
+    const wide_mask doubt = ((v32 <= m1) | (v46 <= m2)) | (((v31 <= m1) | (v45 <= m2)) | (((v30 <=
+        m1) | (v44 <= m2)) | (((v29 <= m1) | (v43 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)))))))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[1] = angle1__;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1______;
+    q[4] = angle1__________;
+    q[5] = angle1______________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[7] = angle1__;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1__________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[13] = angle1___;
+    q[14] = -(v23 + pick_wide(half_turn < -v23, all_wide(m4), all_wide(0.0)));
+    q[15] = angle1_______;
+    q[16] = angle1___________;
+    q[17] = angle1_______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
+    q[19] = angle1___;
+    q[20] = -(v23 + pick_wide(half_turn < -v23, all_wide(m4), all_wide(0.0)));
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1___________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
+    q[25] = angle1____;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1________;
+    q[28] = angle1____________;
+    q[29] = angle1________________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
+    q[31] = angle1____;
     q[32] = q3_mpp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1____________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[37] = angle1_____;
+    q[38] = -(v24 + pick_wide(half_turn < -v24, all_wide(m4), all_wide(0.0)));
+    q[39] = angle1_________;
+    q[40] = angle1_____________;
+    q[41] = angle1_________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
+    q[43] = angle1_____;
+    q[44] = -(v24 + pick_wide(half_turn < -v24, all_wide(m4), all_wide(0.0)));
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1_____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -742,84 +770,92 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = k1 * wx;
     const double v2 = k1 * Y1;
     const double v3 = wx * w1;
-    const four v4 = inverse1 * (v2 + e1 * v3);
-    const double v5 = Y1 * w1;
-    const four s1 = inverse1 * (e1 * v5 - v1);
+    const four v4 = v2 + e1 * v3;
+    const four v5 = inverse1 * v4;
+    const double v6 = Y1 * w1;
+    const four v7 = e1 * v6 - v1;
+    const four s1 = inverse1 * v7;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const four v6 = a1 + e1 * w1;
-    const double v7 = Z1_3 * Z1_3;
-    const four N3 = v7 + v6 * v6;
+    const four v8 = a1 + e1 * w1;
+    const double v9 = Z1_3 * Z1_3;
+    const four N3 = v9 + v8 * v8;
     const four K3 = N3 - k7;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v8 = k5 * K3;
-    const four v9 = k6 * w3;
-    const four s3 = k8 * (v8 + e2 * v9);
-    const four v10 = k6 * K3;
-    const four v11 = k5 * w3;
-    const four c3 = k8 * (v10 - e2 * v11);
-    const four q3_p = atan2_four(s3, c3);
+    const four v10 = k5 * K3;
+    const four v11 = k6 * w3;
+    const four s3 = k8 * (v10 + e2 * v11);
+    const four v12 = k6 * K3;
+    const four v13 = k5 * w3;
+    const four c3 = k8 * (v12 - e2 * v13);
 
     /* theta2 */
     const four X1_2 = d4 * c3 - a3 * s3;
     const four Y1_2 = a2 + (a3 * c3 + d4 * s3);
-    const four v12 = v6 * X1_2 + Z1_3 * Y1_2;
-    const four C2 = Z1_3 * X1_2 - v6 * Y1_2;
-    const four w2 = sqrt_four(v12 * v12 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v14 = v8 * X1_2 + Z1_3 * Y1_2;
+    const four C2 = Z1_3 * X1_2 - v8 * Y1_2;
+    const four v15 = v14 * v14 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v15);
     const four c2 = C2 * factor2;
-    const four v13 = v12 * factor2;
-    const four q2_p = atan2_four(-v13, c2);
+    const four v16 = v14 * factor2;
 
     /* theta4 */
-    const four c23 = c3 * c2 + s3 * v13;
-    const four s23 = s3 * c2 - c3 * v13;
-    const four v14 = T23 * s1 - T13 * v4;
-    const four X4 = c23 * v14 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v4;
-    const four v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + X4 * X4);
+    const four c23 = c3 * c2 + s3 * v16;
+    const four s23 = s3 * c2 - c3 * v16;
+    const four v17 = T23 * s1 - T13 * v5;
+    const four X4 = c23 * v17 - T33 * s23;
+    const four Y4 = T13 * s1 + T23 * v5;
+    const four v18 = Y4 * Y4;
+    const four v19 = v18 + X4 * X4;
+    const four w4 = sqrt_four(v19);
     const four factor4 = 1.0 / w4;
-    const four v16 = X4 * factor4;
+    const four v20 = X4 * factor4;
     const four s4 = Y4 * factor4;
-    const four q4_p = atan2_four(s4, -v16);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), s4) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(-w4, T33 * c23 + s23 * v14);
+    const four v21 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v17 = s1 * T12 + v4 * T22;
-    const four v18 = s1 * T22 - v4 * T12;
-    const four v19 = s1 * T11 + v4 * T21;
-    const four v20 = s1 * T21 - v4 * T11;
-    const four v21 = v16 * v19 - s4 * (c23 * v20 - s23 * T31);
-    const four q6_p = atan2_four(v21, v16 * v17 - s4 * (c23 * v18 - s23 * T32));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v21);
+    const four v22 = s1 * T12 + v5 * T22;
+    const four v23 = s1 * T22 - v5 * T12;
+    const four v24 = s1 * T11 + v5 * T21;
+    const four v25 = s1 * T21 - v5 * T11;
+    const four v26 = v20 * v24 - s4 * (c23 * v25 - s23 * T31);
 
     /* joint values */
-    const four q1_p = atan2_four(s1, -v4) + (w3 - w3);
     const int doubt1 = free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)));
-    const four_mask v22 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const four_mask v27 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v22;
+    const four_mask doubt = ((v15 <= m1) | (v19 <= m2)) | v27;
+
+    const four angle1_ = atan2_four(-v14, C2);
+    const four angle1__ = atan2_four(Y4, -X4);
+    const four angle1___ = atan2_four(-w4, T33 * c23 + s23 * v17);
+    const four angle1____ = atan2_four(v26, v20 * v22 - s4 * (c23 * v23 - s23 * T32));
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, v7, 0, 5, 2, 7),
+        __builtin_shufflevector(K3, -v4, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four q3_ = e2 * angle1 - turn1;
+    const four q4_m = angle1__ - v21;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v26);
+    const four q3_p = q3_ - pick_four(half_turn < q3_, all_four(m4), all_four(0.0));
+    const four q1_p = angle1_____ + (w3 - w3);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

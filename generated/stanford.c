@@ -34,7 +34,9 @@ static const double low5 = -1.5707963277948966; /* lowest value of joint 5 */
 static const double high5 = 1.5707963277948966; /* highest value of joint 5 */
 static const double low6 = -2.9670597293903604; /* lowest value of joint 6 */
 static const double high6 = 2.9670597293903604; /* highest value of joint 6 */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 3.4374768999999993e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const stanford_branches[8] = {
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
@@ -237,25 +239,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -289,25 +293,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -322,25 +328,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -384,154 +392,164 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
+    const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = k1 * T14;
-    const wide v2 = k1 * T24;
-    const wide v3 = T14 * w1;
-    const wide c1_p = inverse1 * (v2 - v3);
-    const wide c1_m = inverse1 * (v2 + v3);
-    const wide v4 = T24 * w1;
-    const wide v5 = inverse1 * (v1 + v4);
-    const wide v6 = inverse1 * (v1 - v4);
-    const wide q1_ppp = atan2_wide(-v5, c1_p);
-    const wide q1_mpp = atan2_wide(-v6, c1_m);
+    const wide v2 = k1 * T14;
+    const wide v3 = k1 * T24;
+    const wide v4 = T14 * w1;
+    const wide v5 = v3 - v4;
+    const wide v6 = v3 + v4;
+    const wide c1_p = inverse1 * v5;
+    const wide c1_m = inverse1 * v6;
+    const wide v7 = T24 * w1;
+    const wide v8 = v2 + v7;
+    const wide v9 = v2 - v7;
+    const wide v10 = inverse1 * v8;
+    const wide v11 = inverse1 * v9;
+    const wide angle1 = atan2_wide(-v8, v5);
+    const wide angle1_ = atan2_wide(-v9, v6);
 
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1;
-    const wide q3_ppp = sqrt_wide(Y2_2 * Y2_2 + w1 * w1);
-    const wide factor2 = 1.0 / q3_ppp;
+    const wide v12 = D1 + Y2_2 * Y2_2;
+    const wide w3 = sqrt_wide(v12);
+    const wide factor2 = 1.0 / w3;
     const wide c2 = Y2_2 * factor2;
-    const wide v7 = w1 * factor2;
-    const wide q2_ppp = atan2_wide(-v7, c2);
-    const wide q2_pmp = q2_ppp - copysign_wide(all_wide(half_turn), -v7) * h1;
+    const wide v13 = w1 * factor2;
+    const wide angle1__ = atan2_wide(-w1, Y2_2);
+    const wide q2_pmp = angle1__ - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
-    const wide v8 = v5 * T13 + c1_p * T23;
-    const wide v9 = v6 * T13 + c1_m * T23;
-    const wide v10 = c1_p * T13 - v5 * T23;
-    const wide v11 = c1_m * T13 - v6 * T23;
-    const wide v12 = v7 * T33;
-    const wide v13 = v12 + c2 * v10;
-    const wide v14 = c2 * v11 - v12;
-    const wide w4_p = sqrt_wide(v8 * v8 + v13 * v13);
-    const wide w4_m = sqrt_wide(v9 * v9 + v14 * v14);
+    const wide v14 = v10 * T13 + c1_p * T23;
+    const wide v15 = v11 * T13 + c1_m * T23;
+    const wide v16 = c1_p * T13 - v10 * T23;
+    const wide v17 = c1_m * T13 - v11 * T23;
+    const wide v18 = v13 * T33;
+    const wide v19 = v18 + c2 * v16;
+    const wide v20 = c2 * v17 - v18;
+    const wide v21 = v14 * v14 + v19 * v19;
+    const wide v22 = v15 * v15 + v20 * v20;
+    const wide w4_p = sqrt_wide(v21);
+    const wide w4_m = sqrt_wide(v22);
     const wide factor4_p = 1.0 / w4_p;
     const wide factor4_m = 1.0 / w4_m;
-    const wide c4_p = v8 * factor4_p;
-    const wide c4_m = v9 * factor4_m;
-    const wide v15 = v13 * factor4_p;
-    const wide v16 = v14 * factor4_m;
-    const wide q4_ppp = atan2_wide(-v15, c4_p);
-    const wide q4_mpp = atan2_wide(-v16, c4_m);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), -v15);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -v16);
+    const wide c4_p = v14 * factor4_p;
+    const wide c4_m = v15 * factor4_m;
+    const wide v23 = v19 * factor4_p;
+    const wide v24 = v20 * factor4_m;
+    const wide angle1___ = atan2_wide(-v19, v14);
+    const wide angle1____ = atan2_wide(-v20, v15);
+    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), -v19);
+    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -v20);
 
     /* theta5 */
-    const wide v17 = c2 * T33;
-    const wide q5_ppp = atan2_wide(-w4_p, v17 - v7 * v10);
-    const wide q5_mpp = atan2_wide(-w4_m, v17 + v7 * v11);
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4_p) - q5_ppp;
-    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -w4_m) - q5_mpp;
+    const wide v25 = c2 * T33;
+    const wide angle1_____ = atan2_wide(-w4_p, v25 - v13 * v16);
+    const wide angle1______ = atan2_wide(-w4_m, v25 + v13 * v17);
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4_p) - angle1_____;
+    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -w4_m) - angle1______;
 
     /* theta6 */
-    const wide v18 = v7 * T32;
-    const wide v19 = v7 * T31;
-    const wide s6_p = c4_p * (v19 + c2 * (c1_p * T11 - v5 * T21)) - v15 * (c1_p * T21 + v5 * T11);
-    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v6 * T21) - v19) - v16 * (c1_m * T21 + v6 * T11);
-    const wide q6_ppp = atan2_wide(s6_p, c4_p * (v18 + c2 * (c1_p * T12 - v5 * T22)) - v15 * (c1_p *
-        T22 + v5 * T12));
-    const wide q6_mpp = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v6 * T22) - v18) - v16 * (c1_m *
-        T22 + v6 * T12));
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), s6_p);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), s6_m);
+    const wide v26 = v13 * T32;
+    const wide v27 = v13 * T31;
+    const wide s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11);
+    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11);
+    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 *
+        (c1_p * T22 + v10 * T12));
+    const wide angle1________ = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24
+        * (c1_m * T22 + v11 * T12));
+    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s6_p);
+    const wide q6_mpm = angle1________ - h1 * copysign_wide(all_wide(half_turn), s6_m);
 
     /* joint values */
-    const wide_mask v20 = (q1_ppp < low1) | (high1 < q1_ppp);
-    const wide_mask v21 = (q1_mpp < low1) | (high1 < q1_mpp);
-    const wide_mask v22 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v23 = (-q3_ppp < low3) | (high3 < -q3_ppp);
-    const wide_mask v24 = v22 | (v20 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v25 = v23 | (v20 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v26 = v22 | (v21 | ((-q2_ppp < low2) | (high2 < -q2_ppp)));
-    const wide_mask v27 = v23 | (v21 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
-    const wide_mask v28 = (q6_ppp < low6) | (high6 < q6_ppp);
-    const wide_mask outside_ppp = v28 | (((q5_ppp < low5) | (high5 < q5_ppp)) | (v24 | ((q4_ppp <
-        low4) | (high4 < q4_ppp))));
-    const wide_mask v29 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask outside_ppm = v29 | (((-q5_ppp < low5) | (high5 < -q5_ppp)) | (v24 | ((q4_ppm <
-        low4) | (high4 < q4_ppm))));
-    const wide_mask outside_pmp = v29 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v25 | ((-q4_ppp <
-        low4) | (high4 < -q4_ppp))));
-    const wide_mask outside_pmm = v28 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v25 | ((-q4_ppm <
+    const wide_mask v28 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v29 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v30 = (w3 < low3) | (high3 < w3);
+    const wide_mask v31 = (-w3 < low3) | (high3 < -w3);
+    const wide q3_ppp = v1 + w3;
+    const wide q3_pmp = v1 - w3;
+    const wide_mask v32 = v30 | (v28 | ((angle1__ < low2) | (high2 < angle1__)));
+    const wide_mask v33 = v31 | (v28 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v34 = v30 | (v29 | ((-angle1__ < low2) | (high2 < -angle1__)));
+    const wide_mask v35 = v31 | (v29 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
+    const wide_mask v36 = (angle1_______ < low6) | (high6 < angle1_______);
+    const wide_mask outside_ppp = v36 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v32 |
+        ((angle1___ < low4) | (high4 < angle1___))));
+    const wide_mask v37 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask outside_ppm = v37 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v32 |
+        ((q4_ppm < low4) | (high4 < q4_ppm))));
+    const wide_mask outside_pmp = v37 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v33 | ((-angle1___
+        < low4) | (high4 < -angle1___))));
+    const wide_mask outside_pmm = v36 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v33 | ((-q4_ppm <
         low4) | (high4 < -q4_ppm))));
-    const wide_mask v30 = (q6_mpp < low6) | (high6 < q6_mpp);
-    const wide_mask outside_mpp = v30 | (((q5_mpp < low5) | (high5 < q5_mpp)) | (v26 | ((q4_mpp <
-        low4) | (high4 < q4_mpp))));
-    const wide_mask v31 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask outside_mpm = v31 | (((-q5_mpp < low5) | (high5 < -q5_mpp)) | (v26 | ((q4_mpm <
-        low4) | (high4 < q4_mpm))));
-    const wide_mask outside_mmp = v31 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v27 | ((-q4_mpp <
-        low4) | (high4 < -q4_mpp))));
-    const wide_mask outside_mmm = v30 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v27 | ((-q4_mpm <
+    const wide_mask v38 = (angle1________ < low6) | (high6 < angle1________);
+    const wide_mask outside_mpp = v38 | (((angle1______ < low5) | (high5 < angle1______)) | (v34 |
+        ((angle1____ < low4) | (high4 < angle1____))));
+    const wide_mask v39 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask outside_mpm = v39 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v34 |
+        ((q4_mpm < low4) | (high4 < q4_mpm))));
+    const wide_mask outside_mmp = v39 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v35 | ((-angle1____
+        < low4) | (high4 < -angle1____))));
+    const wide_mask outside_mmm = v38 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v35 | ((-q4_mpm <
         low4) | (high4 < -q4_mpm))));
-    const wide_mask doubt = (w4_m <= free_limit) | ((w4_p <= free_limit) | ((q3_ppp <= free_limit1)
-        | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))));
+    const wide_mask doubt = (v22 <= m3) | ((v21 <= m3) | ((v12 <= m1) | (free1 | ((-k3 <= D1) &
+        (free1 | ((k4 < D1) == 0))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
+    q[0] = angle1;
+    q[1] = angle1__;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[3] = angle1___;
+    q[4] = angle1_____;
+    q[5] = angle1_______;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
+    q[6] = angle1;
+    q[7] = angle1__;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1_____;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
+    q[12] = angle1;
     q[13] = q2_pmp;
-    q[14] = -q3_ppp;
-    q[15] = -q4_ppp;
+    q[14] = q3_pmp;
+    q[15] = -angle1___;
     q[16] = q5_pmp;
     q[17] = q6_ppm;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
+    q[18] = angle1;
     q[19] = q2_pmp;
-    q[20] = -q3_ppp;
+    q[20] = q3_pmp;
     q[21] = -q4_ppm;
     q[22] = -q5_pmp;
-    q[23] = q6_ppp;
+    q[23] = angle1_______;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = -q2_ppp;
+    q[24] = angle1_;
+    q[25] = -angle1__;
     q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[27] = angle1____;
+    q[28] = angle1______;
+    q[29] = angle1________;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = -q2_ppp;
+    q[30] = angle1_;
+    q[31] = -angle1__;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1______;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
+    q[36] = angle1_;
     q[37] = -q2_pmp;
-    q[38] = -q3_ppp;
-    q[39] = -q4_mpp;
+    q[38] = q3_pmp;
+    q[39] = -angle1____;
     q[40] = q5_mmp;
     q[41] = q6_mpm;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
+    q[42] = angle1_;
     q[43] = -q2_pmp;
-    q[44] = -q3_ppp;
+    q[44] = q3_pmp;
     q[45] = -q4_mpm;
     q[46] = -q5_mmp;
-    q[47] = q6_mpp;
+    q[47] = angle1________;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt);
@@ -601,7 +619,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -617,88 +635,100 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
+    const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v1 = k1 * T14;
-    const double v2 = k1 * T24;
-    const double v3 = T14 * w1;
-    const four c1 = inverse1 * (v2 - e1 * v3);
-    const double v4 = T24 * w1;
-    const four v5 = inverse1 * (v1 + e1 * v4);
-    const four q1_p = atan2_four(-v5, c1);
+    const double v2 = k1 * T14;
+    const double v3 = k1 * T24;
+    const double v4 = T14 * w1;
+    const four v5 = v3 - e1 * v4;
+    const four c1 = inverse1 * v5;
+    const double v6 = T24 * w1;
+    const four v7 = v2 + e1 * v6;
+    const four v8 = inverse1 * v7;
 
     /* theta2, r3 */
     const double Y2_2 = T34 - d1;
-    const double w3 = sqrt(Y2_2 * Y2_2 + w1 * w1);
+    const double v9 = D1 + Y2_2 * Y2_2;
+    const double w3 = sqrt(v9);
     const double factor2 = 1.0 / w3;
     const double c2 = Y2_2 * factor2;
-    const double v6 = w1 * factor2;
-    const four v7 = atan2_four(all_four(-v6), all_four(c2));
-    const double v8 = copysign(half_turn, -v6);
-    const four v9 = e2 - 1.0;
-    const four v10 = m1 * v9;
-    const four q2_ = v7 + v8 * v10;
+    const double v10 = w1 * factor2;
+    const double v11 = copysign(half_turn, -w1);
+    const four v12 = e2 - 1.0;
+    const four v13 = m2 * v12;
 
     /* theta4 */
-    const four v11 = v5 * T13 + c1 * T23;
-    const four v12 = c1 * T13 - v5 * T23;
-    const double v13 = v6 * T33;
-    const four v14 = c2 * v12 + e1 * v13;
-    const four w4 = sqrt_four(v11 * v11 + v14 * v14);
+    const four v14 = v8 * T13 + c1 * T23;
+    const four v15 = c1 * T13 - v8 * T23;
+    const double v16 = v10 * T33;
+    const four v17 = c2 * v15 + e1 * v16;
+    const four v18 = v14 * v14 + v17 * v17;
+    const four w4 = sqrt_four(v18);
     const four factor4 = 1.0 / w4;
-    const four c4 = v11 * factor4;
-    const four v15 = v14 * factor4;
-    const four q4__p = atan2_four(-v15, c4);
-    const four q4__m = q4__p - copysign_four(all_four(half_turn), -v15) * h1;
+    const four c4 = v14 * factor4;
+    const four v19 = v17 * factor4;
 
     /* theta5 */
-    const double v16 = c2 * T33;
-    const four v17 = atan2_four(-w4, v16 - e1 * (v6 * v12));
-    const four v18 = copysign_four(all_four(half_turn), -w4);
-    const four v19 = m1 * -v9;
-    const four q5_p = e2 * v17 + v18 * v19;
+    const double v20 = c2 * T33;
+    const four v21 = copysign_four(all_four(half_turn), -w4);
+    const four v22 = m2 * -v12;
 
     /* theta6 */
-    const double v20 = v6 * T32;
-    const double v21 = v6 * T31;
-    const four s6 = c4 * (c2 * (c1 * T11 - v5 * T21) + e1 * v21) - v15 * (c1 * T21 + v5 * T11);
-    const four v22 = atan2_four(s6, c4 * (c2 * (c1 * T12 - v5 * T22) + e1 * v20) - v15 * (c1 * T22 +
-        v5 * T12));
-    const four v23 = copysign_four(all_four(half_turn), s6);
-    const four v24 = m1 * (e2 + 1.0);
-    const four q6_p = v22 + v10 * v23;
-    const four q6_m = v22 - v23 * v24;
+    const double v23 = v10 * T32;
+    const double v24 = v10 * T31;
+    const four s6 = c4 * (c2 * (c1 * T11 - v8 * T21) + e1 * v24) - v19 * (c1 * T21 + v8 * T11);
+    const four v25 = copysign_four(all_four(half_turn), s6);
+    const four v26 = m2 * (e2 + 1.0);
 
     /* joint values */
+    const four v27 = e2 * w3;
+    const four_mask v29 = (v27 < low3) | (high3 < v27);
+    const four q3_p = v1 + v27;
+    const int doubt1 = (v9 <= m1) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
+    const four_mask doubt = (v18 <= m3) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+
+    const four packed1 = atan2_four(__builtin_shufflevector(-v7, -v17, 0, 5, 2, 7),
+        __builtin_shufflevector(v5, v14, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
+    const four packed2 = atan2_four(__builtin_shufflevector(-w4, s6, 0, 5, 2, 7),
+        __builtin_shufflevector(v20 - e1 * (v10 * v15), c4 * (c2 * (c1 * T12 - v8 * T22) + e1 * v23)
+        - v19 * (c1 * T22 + v8 * T12), 0, 5, 2, 7));
+    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
+    const four packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 });
+    const four angle1_ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four q2_ = angle1_ + v11 * v13;
+    const four q4__m = angle1__ - copysign_four(all_four(half_turn), -v17) * h1;
+    const four q5_p = e2 * angle1___ + v21 * v22;
+    const four q6_p = angle1____ + v13 * v25;
+    const four q6_m = angle1____ - v25 * v26;
     const four q2_p = e1 * q2_;
-    const four q3_p = e2 * w3;
-    const four q4_p = e2 * q4__p;
+    const four q4_p = e2 * angle1__;
     const four q4_m = e2 * q4__m;
-    const four_mask v25 = (q1_p < low1) | (high1 < q1_p);
-    const four_mask v26 = (q3_p < low3) | (high3 < q3_p);
-    const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask v28 = (angle1 < low1) | (high1 < angle1);
+    const four_mask v30 = v29 | (v28 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
-        | (v27 | ((q4_p < low4) | (high4 < q4_p))));
+        | (v30 | ((q4_p < low4) | (high4 < q4_p))));
     const four_mask outside_m = ((q6_m < low6) | (high6 < q6_m)) | (((-q5_p < low5) | (high5 <
-        -q5_p)) | (v27 | ((q4_m < low4) | (high4 < q4_m))));
-    const int doubt1 = (w3 <= free_limit1) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (w4 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+        -q5_p)) | (v30 | ((q4_m < low4) | (high4 < q4_m))));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    const four_mask kind1 = kind_of(angle1 != angle1, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], angle1, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    const four_mask kind2 = kind_of(angle1 != angle1, outside_m);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];
     status[3] = (unsigned char)kind2[1];

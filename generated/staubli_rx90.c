@@ -27,7 +27,10 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.405; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 6.096631611034903; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* m1 * 2 */
+static const double m1 = 8.1e-25; /* free_limit1^2 [m^2] */
+static const double m3 = 6.561e-49; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const staubli_rx90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -241,25 +244,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -293,25 +298,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -326,25 +333,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -384,180 +393,190 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = T14 * factor1;
-    const wide v2 = T24 * factor1;
-    const wide v3 = atan2_wide(-v2, -v1);
+    const wide v2 = T14 * factor1;
+    const wide v3 = T24 * factor1;
+    const wide angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
-    const wide N3 = T34 * T34 + w1 * w1;
+    const wide N3 = v1 + T34 * T34;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = k2 * (k1 * (N3 - k1));
-    const wide c3 = k2 * (k1 * w3);
-    const wide q3_ppp = atan2_wide(-v4, c3);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - q3_ppp;
+    const wide v4 = w3 - w3;
+    const wide v5 = k1 * (N3 - k1);
+    const wide v6 = k2 * v5;
+    const wide v7 = k1 * w3;
+    const wide c3 = k2 * v7;
+    const wide angle1_ = atan2_wide(-v5, v7);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v5) * h1 - angle1_;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * v4;
+    const wide X1_2 = a2 + d4 * v6;
     const wide Y1_2 = d4 * c3;
-    const wide v5 = T34 * X1_2;
-    const wide v6 = w1 * Y1_2;
-    const wide S2_pp = v5 + v6;
-    const wide S2_pm = v5 - v6;
-    const wide v7 = w1 * X1_2;
-    const wide v8 = T34 * Y1_2;
-    const wide C2_pp = v8 - v7;
-    const wide C2_mp = v7 + v8;
-    const wide v9 = S2_pp * S2_pp;
-    const wide w2_pp = sqrt_wide(v9 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(v9 + -C2_pp * -C2_pp);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v8 = T34 * X1_2;
+    const wide v9 = w1 * Y1_2;
+    const wide S2_pp = v8 + v9;
+    const wide S2_pm = v8 - v9;
+    const wide v10 = w1 * X1_2;
+    const wide v11 = T34 * Y1_2;
+    const wide C2_pp = v11 - v10;
+    const wide C2_mp = v10 + v11;
+    const wide v12 = S2_pp * S2_pp;
+    const wide v13 = v12 + C2_pp * C2_pp;
+    const wide v14 = S2_pm * S2_pm + C2_mp * C2_mp;
+    const wide v15 = v12 + -C2_pp * -C2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v13);
+    const wide factor2_pm = 1.0 / sqrt_wide(v14);
+    const wide factor2_mm = 1.0 / sqrt_wide(v15);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_mp = C2_mp * factor2_pm;
     const wide c2_mm = -C2_pp * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mm = S2_pp * factor2_mm;
-    const wide q2_ppp = atan2_wide(s2_pp, c2_pp);
-    const wide q2_pmp = atan2_wide(s2_pm, -c2_mp);
-    const wide q2_mpp = atan2_wide(s2_pm, c2_mp);
-    const wide q2_mmp = atan2_wide(s2_mm, c2_mm);
+    const wide angle1__ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1___ = atan2_wide(S2_pm, -C2_mp);
+    const wide angle1____ = atan2_wide(S2_pm, C2_mp);
+    const wide angle1_____ = atan2_wide(S2_pp, -C2_pp);
 
     /* theta4 */
-    const wide c23_pp = v4 * s2_pp + c3 * c2_pp;
-    const wide c23_pm = v4 * s2_pm + c3 * c2_mp;
-    const wide c23_mm = v4 * s2_mm - c3 * c2_mm;
-    const wide s23_pp = c3 * s2_pp - v4 * c2_pp;
-    const wide s23_pm = v4 * c2_mp - c3 * s2_pm;
-    const wide v10 = c3 * s2_mm + v4 * c2_mm;
-    const wide v11 = v1 * T13 + v2 * T23;
-    const wide X4_pp = s23_pp * T33 - c23_pp * v11;
-    const wide v12 = c23_pm * v11;
-    const wide X4_pm = s23_pm * T33 - v12;
-    const wide X4_mp = v12 + -s23_pm * T33;
-    const wide X4_mm = c23_mm * v11 - v10 * T33;
-    const wide Y4 = v1 * T23 - v2 * T13;
-    const wide v13 = Y4 * Y4;
-    const wide w4_pp = sqrt_wide(v13 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v13 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v13 + X4_mp * X4_mp);
-    const wide w4_mm = sqrt_wide(v13 + X4_mm * X4_mm);
+    const wide c23_pp = v6 * s2_pp + c3 * c2_pp;
+    const wide c23_pm = v6 * s2_pm + c3 * c2_mp;
+    const wide c23_mm = v6 * s2_mm - c3 * c2_mm;
+    const wide s23_pp = c3 * s2_pp - v6 * c2_pp;
+    const wide s23_pm = v6 * c2_mp - c3 * s2_pm;
+    const wide v16 = c3 * s2_mm + v6 * c2_mm;
+    const wide v17 = v2 * T13 + v3 * T23;
+    const wide X4_pp = s23_pp * T33 - c23_pp * v17;
+    const wide v18 = c23_pm * v17;
+    const wide X4_pm = s23_pm * T33 - v18;
+    const wide X4_mp = v18 + -s23_pm * T33;
+    const wide X4_mm = c23_mm * v17 - v16 * T33;
+    const wide Y4 = v2 * T23 - v3 * T13;
+    const wide v19 = Y4 * Y4;
+    const wide v20 = v19 + X4_pp * X4_pp;
+    const wide v21 = v19 + X4_pm * X4_pm;
+    const wide v22 = v19 + X4_mp * X4_mp;
+    const wide v23 = v19 + X4_mm * X4_mm;
+    const wide w4_pp = sqrt_wide(v20);
+    const wide w4_pm = sqrt_wide(v21);
+    const wide w4_mp = sqrt_wide(v22);
+    const wide w4_mm = sqrt_wide(v23);
     const wide factor4_pp = 1.0 / w4_pp;
     const wide factor4_pm = 1.0 / w4_pm;
     const wide factor4_mp = 1.0 / w4_mp;
     const wide factor4_mm = 1.0 / w4_mm;
-    const wide v14 = X4_pp * factor4_pp;
-    const wide v15 = X4_pm * factor4_pm;
-    const wide v16 = X4_mp * factor4_mp;
-    const wide v17 = X4_mm * factor4_mm;
+    const wide v24 = X4_pp * factor4_pp;
+    const wide v25 = X4_pm * factor4_pm;
+    const wide v26 = X4_mp * factor4_mp;
+    const wide v27 = X4_mm * factor4_mm;
     const wide s4_pp = Y4 * factor4_pp;
     const wide s4_pm = Y4 * factor4_pm;
     const wide s4_mp = Y4 * factor4_mp;
     const wide s4_mm = Y4 * factor4_mm;
-    const wide q4_ppp = atan2_wide(s4_pp, -v14);
-    const wide q4_pmp = atan2_wide(s4_pm, -v15);
-    const wide q4_mpp = atan2_wide(-s4_mp, -v16);
-    const wide q4_mmp = atan2_wide(-s4_mm, -v17);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), s4_pp);
-    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), s4_pm);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
-    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+    const wide angle1______ = atan2_wide(Y4, -X4_pp);
+    const wide angle1_______ = atan2_wide(Y4, -X4_pm);
+    const wide angle1________ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1_________ = atan2_wide(-Y4, -X4_mm);
+    const wide v28 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v29 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1______ - v28;
+    const wide q4_pmm = angle1_______ - v28;
+    const wide q4_mpm = angle1________ - v29;
+    const wide q4_mmm = angle1_________ - v29;
 
     /* theta5 */
-    const wide q5_ppp = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v11);
-    const wide v18 = c23_pm * T33;
-    const wide q5_pmp = atan2_wide(w4_pm, v18 + s23_pm * v11);
-    const wide q5_mpp = atan2_wide(w4_mp, v18 - -s23_pm * v11);
-    const wide q5_mmp = atan2_wide(w4_mm, c23_mm * T33 + v10 * v11);
+    const wide angle1__________ = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v17);
+    const wide v30 = c23_pm * T33;
+    const wide angle1___________ = atan2_wide(w4_pm, v30 + s23_pm * v17);
+    const wide angle1____________ = atan2_wide(w4_mp, v30 - -s23_pm * v17);
+    const wide angle1_____________ = atan2_wide(w4_mm, c23_mm * T33 + v16 * v17);
 
     /* theta6 */
-    const wide v19 = v1 * T22 - v2 * T12;
-    const wide v20 = v1 * T12 + v2 * T22;
-    const wide v21 = v1 * T21 - v2 * T11;
-    const wide v22 = v1 * T11 + v2 * T21;
-    const wide v23 = v14 * v21 - s4_pp * (s23_pp * T31 - c23_pp * v22);
-    const wide v24 = c23_pm * v22;
-    const wide v25 = v15 * v21 - s4_pm * (s23_pm * T31 - v24);
-    const wide v26 = s4_mp * (v24 + -s23_pm * T31) - v16 * v21;
-    const wide v27 = s4_mm * (c23_mm * v22 - v10 * T31) - v17 * v21;
-    const wide q6_ppp = atan2_wide(v23, v14 * v19 - s4_pp * (s23_pp * T32 - c23_pp * v20));
-    const wide v28 = c23_pm * v20;
-    const wide q6_pmp = atan2_wide(v25, v15 * v19 - s4_pm * (s23_pm * T32 - v28));
-    const wide q6_mpp = atan2_wide(v26, s4_mp * (v28 + -s23_pm * T32) - v16 * v19);
-    const wide q6_mmp = atan2_wide(v27, s4_mm * (c23_mm * v20 - v10 * T32) - v17 * v19);
-    const wide q6_ppm = q6_ppp - h1 * copysign_wide(all_wide(half_turn), v23);
-    const wide q6_pmm = q6_pmp - h1 * copysign_wide(all_wide(half_turn), v25);
-    const wide q6_mpm = q6_mpp - h1 * copysign_wide(all_wide(half_turn), v26);
-    const wide q6_mmm = q6_mmp - h1 * copysign_wide(all_wide(half_turn), v27);
+    const wide v31 = v2 * T22 - v3 * T12;
+    const wide v32 = v2 * T12 + v3 * T22;
+    const wide v33 = v2 * T21 - v3 * T11;
+    const wide v34 = v2 * T11 + v3 * T21;
+    const wide v35 = v24 * v33 - s4_pp * (s23_pp * T31 - c23_pp * v34);
+    const wide v36 = c23_pm * v34;
+    const wide v37 = v25 * v33 - s4_pm * (s23_pm * T31 - v36);
+    const wide v38 = s4_mp * (v36 + -s23_pm * T31) - v26 * v33;
+    const wide v39 = s4_mm * (c23_mm * v34 - v16 * T31) - v27 * v33;
+    const wide angle1______________ = atan2_wide(v35, v24 * v31 - s4_pp * (s23_pp * T32 - c23_pp *
+        v32));
+    const wide v40 = c23_pm * v32;
+    const wide angle1_______________ = atan2_wide(v37, v25 * v31 - s4_pm * (s23_pm * T32 - v40));
+    const wide angle1________________ = atan2_wide(v38, s4_mp * (v40 + -s23_pm * T32) - v26 * v31);
+    const wide angle1_________________ = atan2_wide(v39, s4_mm * (c23_mm * v32 - v16 * T32) - v27 *
+        v31);
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v35);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v37);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v38);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v39);
 
     /* joint values */
-    const wide v29 = w3 - w3;
-    const wide q1_ppp = v3 + v29;
-    const wide q1_mpp = v29 + (v3 - copysign_wide(all_wide(half_turn), -v2) * h1);
-    const wide_mask v30 = w2_pm <= free_limit_squared2;
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | ((v30 |
-        (w4_mp <= free_limit)) | ((v30 | (w4_pm <= free_limit)) | (((w1 <= free_limit1) |
-        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0))) | ((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)))));
+    const wide q1_ppp = angle1 + v4;
+    const wide q1_mpp = v4 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide_mask v41 = v14 <= m3;
+    const wide_mask doubt = ((v15 <= m3) | (v23 <= m4)) | ((v41 | (v22 <= m4)) | ((v41 | (v21 <=
+        m4)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((v13 <= m3) | (v20 <= m4)))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[1] = angle1__;
+    q[2] = angle1_;
+    q[3] = angle1______;
+    q[4] = angle1__________;
+    q[5] = angle1______________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
+    q[7] = angle1__;
+    q[8] = angle1_;
     q[9] = q4_ppm;
-    q[10] = -q5_ppp;
+    q[10] = -angle1__________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = q2_pmp;
+    q[13] = angle1___;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[15] = angle1_______;
+    q[16] = angle1___________;
+    q[17] = angle1_______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = q2_pmp;
+    q[19] = angle1___;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -q5_pmp;
+    q[22] = -angle1___________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[25] = angle1____;
+    q[26] = angle1_;
+    q[27] = angle1________;
+    q[28] = angle1____________;
+    q[29] = angle1________________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
+    q[31] = angle1____;
+    q[32] = angle1_;
     q[33] = q4_mpm;
-    q[34] = -q5_mpp;
+    q[34] = -angle1____________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = q2_mmp;
+    q[37] = angle1_____;
     q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[39] = angle1_________;
+    q[40] = angle1_____________;
+    q[41] = angle1_________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = q2_mmp;
+    q[43] = angle1_____;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -q5_mmp;
+    q[46] = -angle1_____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -628,7 +647,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -640,89 +659,95 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
-    const double v1 = T14 * factor1;
-    const double v2 = T24 * factor1;
-    const four v3 = atan2_four(all_four(-v2), all_four(-v1));
-    const double v4 = copysign(half_turn, -v2);
+    const double v2 = T14 * factor1;
+    const double v3 = T24 * factor1;
+    const double v4 = copysign(half_turn, -T24);
 
     /* theta3 */
-    const double N3 = T34 * T34 + w1 * w1;
+    const double N3 = v1 + T34 * T34;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = k2 * (k1 * (N3 - k1));
-    const double c3 = k2 * (k1 * w3);
-    const four v6 = atan2_four(all_four(-v5), all_four(c3));
-    const double v7 = copysign(half_turn, -v5);
-    const four q3_p = e2 * v6 + v7 * (m1 * (1.0 - e2));
+    const double v5 = w3 - w3;
+    const double v6 = k1 * (N3 - k1);
+    const double v7 = k2 * v6;
+    const double v8 = k1 * w3;
+    const double c3 = k2 * v8;
+    const double v9 = copysign(half_turn, -v6);
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * v5;
+    const double X1_2 = a2 + d4 * v7;
     const double Y1_2 = d4 * c3;
-    const double v8 = T34 * X1_2;
-    const double v9 = w1 * Y1_2;
-    const four S2 = v8 + v9 * (e1 * e2);
-    const double v10 = w1 * X1_2;
-    const double v11 = T34 * Y1_2;
-    const four v12 = e2 * v11;
-    const four v13 = e1 * v10;
-    const four C2 = v12 - v13;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const double v10 = T34 * X1_2;
+    const double v11 = w1 * Y1_2;
+    const four S2 = v10 + v11 * (e1 * e2);
+    const double v12 = w1 * X1_2;
+    const double v13 = T34 * Y1_2;
+    const four v14 = e2 * v13;
+    const four v15 = e1 * v12;
+    const four C2 = v14 - v15;
+    const four v16 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v16);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
-    const four q2_p = atan2_four(s2, c2);
 
     /* theta4 */
-    const four c23 = v5 * s2 + e2 * (c3 * c2);
-    const four s23 = e2 * (c3 * s2) - v5 * c2;
-    const double v14 = v1 * T13 + v2 * T23;
-    const four X4 = s23 * T33 - e1 * (c23 * v14);
-    const double Y4 = v1 * T23 - v2 * T13;
-    const double v15 = Y4 * Y4;
-    const four w4 = sqrt_four(v15 + X4 * X4);
+    const four c23 = v7 * s2 + e2 * (c3 * c2);
+    const four s23 = e2 * (c3 * s2) - v7 * c2;
+    const double v17 = v2 * T13 + v3 * T23;
+    const four X4 = s23 * T33 - e1 * (c23 * v17);
+    const double Y4 = v2 * T23 - v3 * T13;
+    const double v18 = Y4 * Y4;
+    const four v19 = v18 + X4 * X4;
+    const four w4 = sqrt_four(v19);
     const four factor4 = 1.0 / w4;
-    const four v16 = X4 * factor4;
+    const four v20 = X4 * factor4;
     const four s4 = Y4 * factor4;
-    const four v17 = e1 * s4;
-    const four q4_p = atan2_four(v17, -v16);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), v17) * h1;
-
-    /* theta5 */
-    const four q5_p = atan2_four(w4, c23 * T33 + e1 * (s23 * v14));
+    const four v21 = e1 * Y4;
+    const four v22 = copysign_four(all_four(half_turn), v21) * h1;
 
     /* theta6 */
-    const double v18 = v1 * T22 - v2 * T12;
-    const double v19 = v1 * T12 + v2 * T22;
-    const double v20 = v1 * T21 - v2 * T11;
-    const double v21 = v1 * T11 + v2 * T21;
-    const four v22 = e1 * (v16 * v20 - s4 * (s23 * T31 - e1 * (c23 * v21)));
-    const four q6_p = atan2_four(v22, e1 * (v16 * v18 - s4 * (s23 * T32 - e1 * (c23 * v19))));
-    const four q6_m = q6_p - h1 * copysign_four(all_four(half_turn), v22);
+    const double v23 = v2 * T22 - v3 * T12;
+    const double v24 = v2 * T12 + v3 * T22;
+    const double v25 = v2 * T21 - v3 * T11;
+    const double v26 = v2 * T11 + v3 * T21;
+    const four v27 = e1 * (v20 * v25 - s4 * (s23 * T31 - e1 * (c23 * v26)));
 
     /* joint values */
-    const double v23 = w3 - w3;
-    const four q1_p = v23 + (v3 + v4 * (m1 * (e1 - 1.0)));
-    const int doubt1 = (w1 <= free_limit1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w2 <= free_limit_squared2) |
-        (w4 <= free_limit));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v16 <= m3) | (v19 <= m4));
+
+    const four angle1__ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(v21, -X4);
+    const four angle1____ = atan2_four(w4, c23 * T33 + e1 * (s23 * v17));
+    const four angle1_____ = atan2_four(v27, e1 * (v20 * v23 - s4 * (s23 * T32 - e1 * (c23 *
+        v24))));
+    const four packed5 = atan2_four((four){ -T24, -v6, -T24, -T24 }, (four){ -T14, v8, -T14, -T14
+        });
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_p = e2 * angle1_ + v9 * (m2 * (1.0 - e2));
+    const four q4_m = angle1___ - v22;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v27);
+    const four q1_p = v5 + (angle1 + v4 * (m2 * (e1 - 1.0)));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
     status[1] = (unsigned char)kind2[0];

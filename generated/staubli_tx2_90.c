@@ -43,8 +43,10 @@ static const double low3 = -2.530727416391778; /* lowest value of joint 3 */
 static const double high3 = 2.530727416391778; /* highest value of joint 3 */
 static const double low5 = -2.007128640793479; /* lowest value of joint 5 */
 static const double high5 = 2.4434609537920613; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 5.4512163266560035e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const staubli_tx2_90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -299,25 +301,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -351,25 +355,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -384,25 +390,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -452,213 +460,231 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v1 = d2 * t14;
     const wide v2 = d2 * Y1;
     const wide v3 = t14 * w1;
-    const wide v4 = inverse1 * (v2 + v3);
-    const wide v5 = inverse1 * (v2 - v3);
-    const wide v6 = Y1 * w1;
-    const wide s1_p = inverse1 * (v6 - v1);
-    const wide v7 = inverse1 * (v1 + v6);
+    const wide v4 = v2 + v3;
+    const wide v5 = v2 - v3;
+    const wide v6 = inverse1 * v4;
+    const wide v7 = inverse1 * v5;
+    const wide v8 = Y1 * w1;
+    const wide v9 = v8 - v1;
+    const wide v10 = v1 + v8;
+    const wide s1_p = inverse1 * v9;
+    const wide v11 = inverse1 * v10;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v8 = a1 + w1;
-    const wide v9 = a1 - w1;
-    const wide v10 = Z1_3 * Z1_3;
-    const wide N3_p = v10 + v8 * v8;
-    const wide N3_m = v10 + v9 * v9;
+    const wide v12 = a1 + w1;
+    const wide v13 = a1 - w1;
+    const wide v14 = Z1_3 * Z1_3;
+    const wide N3_p = v14 + v12 * v12;
+    const wide N3_m = v14 + v13 * v13;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide s3_p = k5 * (k4 * (N3_p - k4));
-    const wide s3_m = k5 * (k4 * (N3_m - k4));
-    const wide v11 = k5 * (k4 * w3_p);
-    const wide v12 = k5 * (k4 * w3_m);
+    const wide v15 = k4 * (N3_p - k4);
+    const wide v16 = k4 * (N3_m - k4);
+    const wide s3_p = k5 * v15;
+    const wide s3_m = k5 * v16;
+    const wide v17 = k4 * w3_p;
+    const wide v18 = k4 * w3_m;
+    const wide v19 = k5 * v17;
+    const wide v20 = k5 * v18;
 
     /* theta2 */
-    const wide v13 = d4 * v11;
-    const wide v14 = d4 * v12;
+    const wide v21 = d4 * v19;
+    const wide v22 = d4 * v20;
     const wide Y1_2_p = a2 + d4 * s3_p;
     const wide Y1_2_m = a2 + d4 * s3_m;
-    const wide v15 = Z1_3 * Y1_2_p;
-    const wide v16 = Z1_3 * Y1_2_m;
-    const wide v17 = v8 * v13;
-    const wide v18 = v9 * v14;
-    const wide S2_pp = v17 - v15;
-    const wide v19 = v15 + v17;
-    const wide S2_mp = v18 - v16;
-    const wide v20 = v16 + v18;
-    const wide v21 = v8 * Y1_2_p;
-    const wide v22 = v9 * Y1_2_m;
-    const wide v23 = Z1_3 * v13;
-    const wide v24 = Z1_3 * v14;
-    const wide v25 = v21 + v23;
-    const wide v26 = v21 - v23;
-    const wide v27 = v22 + v24;
-    const wide v28 = v22 - v24;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + v25 * v25);
-    const wide w2_pm = sqrt_wide(v19 * v19 + v26 * v26);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + v27 * v27);
-    const wide w2_mm = sqrt_wide(v20 * v20 + v28 * v28);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
-    const wide v29 = v25 * factor2_pp;
-    const wide v30 = v26 * factor2_pm;
-    const wide v31 = v27 * factor2_mp;
-    const wide v32 = v28 * factor2_mm;
+    const wide v23 = Z1_3 * Y1_2_p;
+    const wide v24 = Z1_3 * Y1_2_m;
+    const wide v25 = v12 * v21;
+    const wide v26 = v13 * v22;
+    const wide S2_pp = v25 - v23;
+    const wide v27 = v23 + v25;
+    const wide S2_mp = v26 - v24;
+    const wide v28 = v24 + v26;
+    const wide v29 = v12 * Y1_2_p;
+    const wide v30 = v13 * Y1_2_m;
+    const wide v31 = Z1_3 * v21;
+    const wide v32 = Z1_3 * v22;
+    const wide v33 = v29 + v31;
+    const wide v34 = v29 - v31;
+    const wide v35 = v30 + v32;
+    const wide v36 = v30 - v32;
+    const wide v37 = S2_pp * S2_pp + v33 * v33;
+    const wide v38 = v27 * v27 + v34 * v34;
+    const wide v39 = S2_mp * S2_mp + v35 * v35;
+    const wide v40 = v28 * v28 + v36 * v36;
+    const wide factor2_pp = 1.0 / sqrt_wide(v37);
+    const wide factor2_pm = 1.0 / sqrt_wide(v38);
+    const wide factor2_mp = 1.0 / sqrt_wide(v39);
+    const wide factor2_mm = 1.0 / sqrt_wide(v40);
+    const wide v41 = v33 * factor2_pp;
+    const wide v42 = v34 * factor2_pm;
+    const wide v43 = v35 * factor2_mp;
+    const wide v44 = v36 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
-    const wide v33 = v19 * factor2_pm;
+    const wide v45 = v27 * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
-    const wide v34 = v20 * factor2_mm;
+    const wide v46 = v28 * factor2_mm;
 
     /* theta4 */
-    const wide v35 = s3_p * s2_pp - v11 * v29;
-    const wide v36 = v11 * v30 - s3_p * v33;
-    const wide v37 = s3_m * s2_mp - v12 * v31;
-    const wide v38 = v12 * v32 - s3_m * v34;
-    const wide v39 = s3_p * v29 + v11 * s2_pp;
-    const wide v40 = s3_p * v30 + v11 * v33;
-    const wide v41 = s3_m * v31 + v12 * s2_mp;
-    const wide v42 = s3_m * v32 + v12 * v34;
-    const wide v43 = T21 * s1_p - T11 * v4;
-    const wide v44 = T21 * v7 + T11 * v5;
-    const wide X4_pp = v35 * v43 - T31 * v39;
-    const wide X4_pm = v36 * v43 - T31 * v40;
-    const wide v45 = v37 * v44 + T31 * v41;
-    const wide v46 = v38 * v44 + T31 * v42;
-    const wide v47 = T21 * v4 + T11 * s1_p;
-    const wide v48 = T21 * v5 - T11 * v7;
-    const wide v49 = v47 * v47;
-    const wide v50 = v48 * v48;
-    const wide w4_pp = sqrt_wide(v49 + X4_pp * X4_pp);
-    const wide w4_pm = sqrt_wide(v49 + X4_pm * X4_pm);
-    const wide w4_mp = sqrt_wide(v50 + v45 * v45);
-    const wide w4_mm = sqrt_wide(v50 + v46 * v46);
+    const wide v47 = s3_p * s2_pp - v19 * v41;
+    const wide v48 = v19 * v42 - s3_p * v45;
+    const wide v49 = s3_m * s2_mp - v20 * v43;
+    const wide v50 = v20 * v44 - s3_m * v46;
+    const wide v51 = s3_p * v41 + v19 * s2_pp;
+    const wide v52 = s3_p * v42 + v19 * v45;
+    const wide v53 = s3_m * v43 + v20 * s2_mp;
+    const wide v54 = s3_m * v44 + v20 * v46;
+    const wide v55 = T21 * s1_p - T11 * v6;
+    const wide v56 = T21 * v11 + T11 * v7;
+    const wide X4_pp = v47 * v55 - T31 * v51;
+    const wide X4_pm = v48 * v55 - T31 * v52;
+    const wide v57 = v49 * v56 + T31 * v53;
+    const wide v58 = v50 * v56 + T31 * v54;
+    const wide v59 = T21 * v6 + T11 * s1_p;
+    const wide v60 = T21 * v7 - T11 * v11;
+    const wide v61 = v59 * v59;
+    const wide v62 = v60 * v60;
+    const wide v63 = v61 + X4_pp * X4_pp;
+    const wide v64 = v61 + X4_pm * X4_pm;
+    const wide v65 = v62 + v57 * v57;
+    const wide v66 = v62 + v58 * v58;
+    const wide w4_pp = sqrt_wide(v63);
+    const wide w4_pm = sqrt_wide(v64);
+    const wide w4_mp = sqrt_wide(v65);
+    const wide w4_mm = sqrt_wide(v66);
     const wide factor4_pp = 1.0 / w4_pp;
     const wide factor4_pm = 1.0 / w4_pm;
     const wide factor4_mp = 1.0 / w4_mp;
     const wide factor4_mm = 1.0 / w4_mm;
-    const wide v51 = X4_pp * factor4_pp;
-    const wide v52 = X4_pm * factor4_pm;
-    const wide v53 = v45 * factor4_mp;
-    const wide v54 = v46 * factor4_mm;
-    const wide v55 = v47 * factor4_pp;
-    const wide v56 = v47 * factor4_pm;
-    const wide v57 = v48 * factor4_mp;
-    const wide v58 = v48 * factor4_mm;
+    const wide v67 = X4_pp * factor4_pp;
+    const wide v68 = X4_pm * factor4_pm;
+    const wide v69 = v57 * factor4_mp;
+    const wide v70 = v58 * factor4_mm;
+    const wide v71 = v59 * factor4_pp;
+    const wide v72 = v59 * factor4_pm;
+    const wide v73 = v60 * factor4_mp;
+    const wide v74 = v60 * factor4_mm;
 
     /* theta6 */
-    const wide v59 = s1_p * T12 + v4 * T22;
-    const wide v60 = v5 * T22 - v7 * T12;
-    const wide v61 = s1_p * T22 - v4 * T12;
-    const wide v62 = v7 * T22 + v5 * T12;
-    const wide v63 = v4 * T23 + s1_p * T13;
-    const wide v64 = v5 * T23 - v7 * T13;
-    const wide v65 = s1_p * T23 - v4 * T13;
-    const wide v66 = v7 * T23 + v5 * T13;
-    const wide s6_pp = v51 * v63 - v55 * (v35 * v65 - v39 * T33);
-    const wide s6_pm = v52 * v63 - v56 * (v36 * v65 - v40 * T33);
-    const wide s6_mp = v57 * (v37 * v66 + v41 * T33) - v53 * v64;
-    const wide s6_mm = v58 * (v38 * v66 + v42 * T33) - v54 * v64;
-    const wide q6_ppp = atan2_wide(s6_pp, v55 * (v35 * v61 - v39 * T32) - v51 * v59);
-    const wide q6_pmp = atan2_wide(s6_pm, v56 * (v36 * v61 - v40 * T32) - v52 * v59);
-    const wide q6_mpp = atan2_wide(s6_mp, v53 * v60 - v57 * (v37 * v62 + v41 * T32));
-    const wide q6_mmp = atan2_wide(s6_mm, v54 * v60 - v58 * (v38 * v62 + v42 * T32));
-    const wide q6_ppm = q6_ppp - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = q6_pmp - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = q6_mpp - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = q6_mmp - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v75 = s1_p * T12 + v6 * T22;
+    const wide v76 = v7 * T22 - v11 * T12;
+    const wide v77 = s1_p * T22 - v6 * T12;
+    const wide v78 = v11 * T22 + v7 * T12;
+    const wide v79 = v6 * T23 + s1_p * T13;
+    const wide v80 = v7 * T23 - v11 * T13;
+    const wide v81 = s1_p * T23 - v6 * T13;
+    const wide v82 = v11 * T23 + v7 * T13;
+    const wide s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33);
+    const wide s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33);
+    const wide s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80;
+    const wide s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80;
+    const wide angle1 = atan2_wide(s6_pp, v71 * (v47 * v77 - v51 * T32) - v67 * v75);
+    const wide angle1_ = atan2_wide(s6_pm, v72 * (v48 * v77 - v52 * T32) - v68 * v75);
+    const wide angle1__ = atan2_wide(s6_mp, v69 * v76 - v73 * (v49 * v78 + v53 * T32));
+    const wide angle1___ = atan2_wide(s6_mm, v70 * v76 - v74 * (v50 * v78 + v54 * T32));
+    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
+    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
+    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
+    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
 
     /* joint values */
-    const wide v67 = atan2_wide(s2_pp, -v29) - offset2;
-    const wide v68 = atan2_wide(-v33, -v30) - offset2;
-    const wide v69 = atan2_wide(s2_mp, -v31) - offset2;
-    const wide v70 = atan2_wide(-v34, -v32) - offset2;
-    const wide q2_ppp = v67 - pick_wide(half_turn < v67, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v68 - pick_wide(half_turn < v68, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v69 - pick_wide(half_turn < v69, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v70 - pick_wide(half_turn < v70, all_wide(m2), all_wide(0.0));
-    const wide v71 = atan2_wide(s3_p, -v11);
-    const wide v72 = atan2_wide(s3_m, -v12);
-    const wide v73 = v71 - offset3;
-    const wide v74 = h1 * copysign_wide(all_wide(half_turn), s3_p) - v71 - offset3;
-    const wide v75 = v72 - offset3;
-    const wide v76 = h1 * copysign_wide(all_wide(half_turn), s3_m) - v72 - offset3;
-    const wide q3_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q3_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v77 = atan2_wide(-v55, -v51);
-    const wide v78 = atan2_wide(-v56, -v52);
-    const wide v79 = atan2_wide(-v57, v53);
-    const wide v80 = atan2_wide(-v58, v54);
-    const wide v81 = v77 - offset4;
-    const wide v82 = v77 - h1 * copysign_wide(all_wide(half_turn), -v55) - offset4;
-    const wide v83 = v78 - offset4;
-    const wide v84 = v78 - h1 * copysign_wide(all_wide(half_turn), -v56) - offset4;
-    const wide v85 = v79 - offset4;
-    const wide v86 = v79 - h1 * copysign_wide(all_wide(half_turn), -v57) - offset4;
-    const wide v87 = v80 - offset4;
-    const wide v88 = v80 - h1 * copysign_wide(all_wide(half_turn), -v58) - offset4;
-    const wide q4_ppp = v81 + pick_wide(v81 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_ppm = v82 + pick_wide(v82 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmm = v84 + pick_wide(v84 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpp = v85 + pick_wide(v85 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpm = v86 + pick_wide(v86 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmm = v88 + pick_wide(v88 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v89 = atan2_wide(w4_pp, T31 * v35 + v39 * v43);
-    const wide v90 = atan2_wide(w4_pm, T31 * v36 + v40 * v43);
-    const wide v91 = atan2_wide(w4_mp, T31 * v37 - v41 * v44);
-    const wide v92 = atan2_wide(w4_mm, T31 * v38 - v42 * v44);
-    const wide v93 = v89 - offset5;
-    const wide v94 = offset5 + v89;
-    const wide v95 = v90 - offset5;
-    const wide v96 = offset5 + v90;
-    const wide v97 = v91 - offset5;
-    const wide v98 = offset5 + v91;
-    const wide v99 = v92 - offset5;
-    const wide v100 = offset5 + v92;
-    const wide q5_ppp = v93 + pick_wide(v93 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v94 <= -half_turn, all_wide(m2), all_wide(0.0)) - v94;
-    const wide q5_pmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v96 <= -half_turn, all_wide(m2), all_wide(0.0)) - v96;
-    const wide q5_mpp = v97 + pick_wide(v97 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v98 <= -half_turn, all_wide(m2), all_wide(0.0)) - v98;
-    const wide q5_mmp = v99 + pick_wide(v99 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v100 <= -half_turn, all_wide(m2), all_wide(0.0)) - v100;
-    const wide q1_ppp = atan2_wide(s1_p, -v4) + (w3_p - w3_p);
-    const wide q1_mpp = atan2_wide(-v7, -v5) + (w3_m - w3_m);
-    const wide_mask v101 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
+    const wide angle1____ = atan2_wide(S2_pp, -v33);
+    const wide v83 = angle1____ - offset2;
+    const wide angle1_____ = atan2_wide(-v27, -v34);
+    const wide v84 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(S2_mp, -v35);
+    const wide v85 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(-v28, -v36);
+    const wide v86 = angle1_______ - offset2;
+    const wide q2_ppp = v83 - pick_wide(half_turn < v83, all_wide(m4), all_wide(0.0));
+    const wide q2_pmp = v84 - pick_wide(half_turn < v84, all_wide(m4), all_wide(0.0));
+    const wide q2_mpp = v85 - pick_wide(half_turn < v85, all_wide(m4), all_wide(0.0));
+    const wide q2_mmp = v86 - pick_wide(half_turn < v86, all_wide(m4), all_wide(0.0));
+    const wide angle1________ = atan2_wide(v15, -v17);
+    const wide angle1_________ = atan2_wide(v16, -v18);
+    const wide v87 = angle1________ - offset3;
+    const wide v88 = h1 * copysign_wide(all_wide(half_turn), v15) - angle1________ - offset3;
+    const wide v89 = angle1_________ - offset3;
+    const wide v90 = h1 * copysign_wide(all_wide(half_turn), v16) - angle1_________ - offset3;
+    const wide q3_ppp = v87 + pick_wide(v87 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q3_pmp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q3_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q3_mmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(-v59, -X4_pp);
+    const wide angle1___________ = atan2_wide(-v59, -X4_pm);
+    const wide angle1____________ = atan2_wide(-v60, v57);
+    const wide angle1_____________ = atan2_wide(-v60, v58);
+    const wide v91 = h1 * copysign_wide(all_wide(half_turn), -v59);
+    const wide v92 = h1 * copysign_wide(all_wide(half_turn), -v60);
+    const wide v93 = angle1__________ - offset4;
+    const wide v94 = angle1__________ - v91 - offset4;
+    const wide v95 = angle1___________ - offset4;
+    const wide v96 = angle1___________ - v91 - offset4;
+    const wide v97 = angle1____________ - offset4;
+    const wide v98 = angle1____________ - v92 - offset4;
+    const wide v99 = angle1_____________ - offset4;
+    const wide v100 = angle1_____________ - v92 - offset4;
+    const wide q4_ppp = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_ppm = v94 + pick_wide(v94 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmm = v96 + pick_wide(v96 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpp = v97 + pick_wide(v97 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpm = v98 + pick_wide(v98 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmp = v99 + pick_wide(v99 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmm = v100 + pick_wide(v100 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(w4_pp, T31 * v47 + v51 * v55);
+    const wide angle1_______________ = atan2_wide(w4_pm, T31 * v48 + v52 * v55);
+    const wide angle1________________ = atan2_wide(w4_mp, T31 * v49 - v53 * v56);
+    const wide angle1_________________ = atan2_wide(w4_mm, T31 * v50 - v54 * v56);
+    const wide v101 = angle1______________ - offset5;
+    const wide v102 = offset5 + angle1______________;
+    const wide v103 = angle1_______________ - offset5;
+    const wide v104 = offset5 + angle1_______________;
+    const wide v105 = angle1________________ - offset5;
+    const wide v106 = offset5 + angle1________________;
+    const wide v107 = angle1_________________ - offset5;
+    const wide v108 = offset5 + angle1_________________;
+    const wide q5_ppp = v101 + pick_wide(v101 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v102 <= -half_turn, all_wide(m4), all_wide(0.0)) - v102;
+    const wide q5_pmp = v103 + pick_wide(v103 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v104 <= -half_turn, all_wide(m4), all_wide(0.0)) - v104;
+    const wide q5_mpp = v105 + pick_wide(v105 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v106 <= -half_turn, all_wide(m4), all_wide(0.0)) - v106;
+    const wide q5_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v108 <= -half_turn, all_wide(m4), all_wide(0.0)) - v108;
+    const wide angle1__________________ = atan2_wide(v9, -v4);
+    const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
+    const wide angle1___________________ = atan2_wide(-v10, -v5);
+    const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
+    const wide_mask v109 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
         q3_ppp));
-    const wide_mask v102 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
+    const wide_mask v110 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
         q3_pmp));
-    const wide_mask v103 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
+    const wide_mask v111 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
         q3_mpp));
-    const wide_mask v104 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
+    const wide_mask v112 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
         q3_mmp));
-    const wide_mask outside_ppp = v101 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v101 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v102 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v102 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v103 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v103 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v104 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v104 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) &
-        (free1 | ((k3 < D1) == 0)))))))));
+    const wide_mask outside_ppp = v109 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v109 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v110 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v110 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v111 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v111 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v112 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v112 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((v40 <= m1) | (v66 <= m2)) | (((v39 <= m1) | (v65 <= m2)) | (((v38 <=
+        m1) | (v64 <= m2)) | (((v37 <= m1) | (v63 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
+        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -672,7 +698,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[17] = angle1_;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -686,7 +712,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_mpp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[29] = angle1__;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -700,7 +726,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_mmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[41] = angle1___;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -777,7 +803,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -799,80 +825,91 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = d2 * t14;
     const double v2 = d2 * Y1;
     const double v3 = t14 * w1;
-    const four v4 = inverse1 * (v2 + e1 * v3);
-    const double v5 = Y1 * w1;
-    const four s1 = inverse1 * (e1 * v5 - v1);
+    const four v4 = v2 + e1 * v3;
+    const four v5 = inverse1 * v4;
+    const double v6 = Y1 * w1;
+    const four v7 = e1 * v6 - v1;
+    const four s1 = inverse1 * v7;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
-    const four v6 = a1 + e1 * w1;
-    const double v7 = Z1_3 * Z1_3;
-    const four N3 = v7 + v6 * v6;
+    const four v8 = a1 + e1 * w1;
+    const double v9 = Z1_3 * Z1_3;
+    const four N3 = v9 + v8 * v8;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four s3 = k5 * (k4 * (N3 - k4));
-    const four v8 = k5 * (k4 * w3);
+    const four v10 = k4 * (N3 - k4);
+    const four s3 = k5 * v10;
+    const four v11 = k4 * w3;
+    const four v12 = k5 * v11;
 
     /* theta2 */
-    const four v9 = d4 * v8;
+    const four v13 = d4 * v12;
     const four Y1_2 = a2 + d4 * s3;
-    const four v10 = Z1_3 * Y1_2;
-    const four v11 = v6 * v9;
-    const four S2 = e2 * v11 - v10;
-    const four v12 = v6 * Y1_2;
-    const four v13 = Z1_3 * v9;
-    const four v14 = v12 + e2 * v13;
-    const four w2 = sqrt_four(S2 * S2 + v14 * v14);
-    const four factor2 = 1.0 / w2;
-    const four v15 = v14 * factor2;
+    const four v14 = Z1_3 * Y1_2;
+    const four v15 = v8 * v13;
+    const four S2 = e2 * v15 - v14;
+    const four v16 = v8 * Y1_2;
+    const four v17 = Z1_3 * v13;
+    const four v18 = v16 + e2 * v17;
+    const four v19 = S2 * S2 + v18 * v18;
+    const four factor2 = 1.0 / sqrt_four(v19);
+    const four v20 = v18 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v16 = s3 * s2 - e2 * (v8 * v15);
-    const four v17 = s3 * v15 + e2 * (v8 * s2);
-    const four v18 = T21 * s1 - T11 * v4;
-    const four X4 = v16 * v18 - T31 * v17;
-    const four v19 = T21 * v4 + T11 * s1;
-    const four v20 = v19 * v19;
-    const four w4 = sqrt_four(v20 + X4 * X4);
+    const four v21 = s3 * s2 - e2 * (v12 * v20);
+    const four v22 = s3 * v20 + e2 * (v12 * s2);
+    const four v23 = T21 * s1 - T11 * v5;
+    const four X4 = v21 * v23 - T31 * v22;
+    const four v24 = T21 * v5 + T11 * s1;
+    const four v25 = v24 * v24;
+    const four v26 = v25 + X4 * X4;
+    const four w4 = sqrt_four(v26);
     const four factor4 = 1.0 / w4;
-    const four v21 = X4 * factor4;
-    const four v22 = v19 * factor4;
+    const four v27 = X4 * factor4;
+    const four v28 = v24 * factor4;
 
     /* theta6 */
-    const four v23 = s1 * T12 + v4 * T22;
-    const four v24 = s1 * T22 - v4 * T12;
-    const four v25 = v4 * T23 + s1 * T13;
-    const four v26 = s1 * T23 - v4 * T13;
-    const four s6 = v21 * v25 - v22 * (v16 * v26 - v17 * T33);
-    const four q6_p = atan2_four(s6, v22 * (v16 * v24 - v17 * T32) - v21 * v23);
-    const four q6_m = q6_p - copysign_four(all_four(half_turn), s6) * h1;
+    const four v29 = s1 * T12 + v5 * T22;
+    const four v30 = s1 * T22 - v5 * T12;
+    const four v31 = v5 * T23 + s1 * T13;
+    const four v32 = s1 * T23 - v5 * T13;
+    const four s6 = v27 * v31 - v28 * (v21 * v32 - v22 * T33);
 
     /* joint values */
-    const four v27 = atan2_four(s2, -v15) - offset2;
-    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m2), all_four(0.0));
-    const four v28 = atan2_four(s3, -v8);
-    const four v29 = copysign_four(all_four(half_turn), s3);
-    const four v30 = m1 * (1.0 - e2);
-    const four v31 = e2 * v28 + v29 * v30 - offset3;
-    const four q3_p = v31 + pick_four(v31 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v32 = atan2_four(-v22, -v21);
-    const four v33 = v32 - offset4;
-    const four v34 = v32 - h1 * copysign_four(all_four(half_turn), -v22) - offset4;
-    const four q4_p = v33 + pick_four(v33 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q4_m = v34 + pick_four(v34 <= -half_turn, all_four(m2), all_four(0.0));
-    const four v35 = atan2_four(w4, T31 * v16 + v17 * v18);
-    const four v36 = v35 - offset5;
-    const four v37 = offset5 + v35;
-    const four q5_p = v36 + pick_four(v36 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v37 <= -half_turn, all_four(m2), all_four(0.0)) - v37;
-    const four q1_p = atan2_four(s1, -v4) + (w3 - w3);
-    const four_mask v38 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
-    const four_mask outside_p = v38 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v38 | ((q5_m < low5) | (high5 < q5_m));
+    const four v34 = copysign_four(all_four(half_turn), v10);
+    const four v35 = m3 * (1.0 - e2);
+    const four v37 = h1 * copysign_four(all_four(half_turn), -v24);
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v39 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const four_mask v43 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v39;
+    const four_mask doubt = ((v19 <= m1) | (v26 <= m2)) | v43;
+
+    const four angle1 = atan2_four(s6, v28 * (v21 * v30 - v22 * T32) - v27 * v29);
+    const four angle1_ = atan2_four(S2, -v18);
+    const four angle1___ = atan2_four(-v24, -X4);
+    const four angle1____ = atan2_four(w4, T31 * v21 + v22 * v23);
+    const four packed5 = atan2_four(__builtin_shufflevector(v10, v7, 0, 5, 2, 7),
+        __builtin_shufflevector(-v11, -v4, 0, 5, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
+    const four v33 = angle1_ - offset2;
+    const four q2_p = v33 - pick_four(half_turn < v33, all_four(m4), all_four(0.0));
+    const four v36 = e2 * angle1__ + v34 * v35 - offset3;
+    const four q3_p = v36 + pick_four(v36 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v38 = angle1___ - offset4;
+    const four v39 = angle1___ - v37 - offset4;
+    const four q4_p = v38 + pick_four(v38 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q4_m = v39 + pick_four(v39 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v40 = angle1____ - offset5;
+    const four v41 = offset5 + angle1____;
+    const four q5_p = v40 + pick_four(v40 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q5_m = pick_four(-v41 <= -half_turn, all_four(m4), all_four(0.0)) - v41;
+    const four q1_p = angle1_____ + (w3 - w3);
+    const four_mask v42 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
+    const four_mask outside_p = v42 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v42 | ((q5_m < low5) | (high5 < q5_m));
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
@@ -880,7 +917,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         return -1;
     int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
     status[0] = (unsigned char)kind1[0];

@@ -33,8 +33,10 @@ static const double k3 = 6.184066500000315e-15; /* merge_slack1 * (2 * d4 + merg
 static const double k4 = 0.7020706925; /* a2^2 + a3^2 [m^2] */
 static const double k5 = 1.4278017006745949; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m3 = 9.937627336200058e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const ur10e_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -282,25 +284,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -334,25 +338,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -367,25 +373,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -435,260 +443,247 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v1 = d4 * X1;
     const wide v2 = d4 * wy;
     const wide v3 = X1 * w1;
-    const wide v4 = inverse1 * (v2 + v3);
-    const wide v5 = inverse1 * (v2 - v3);
-    const wide v6 = wy * w1;
-    const wide s1_p = inverse1 * (v6 - v1);
-    const wide v7 = inverse1 * (v1 + v6);
-    const wide q1__p = atan2_wide(s1_p, -v4);
-    const wide q1__m = atan2_wide(-v7, -v5);
+    const wide v4 = v2 + v3;
+    const wide v5 = v2 - v3;
+    const wide v6 = inverse1 * v4;
+    const wide v7 = inverse1 * v5;
+    const wide v8 = wy * w1;
+    const wide v9 = v8 - v1;
+    const wide v10 = v1 + v8;
+    const wide s1_p = inverse1 * v9;
+    const wide v11 = inverse1 * v10;
+    const wide angle1 = atan2_wide(v9, -v4);
+    const wide angle1_ = atan2_wide(-v10, -v5);
 
     /* theta6 */
-    const wide v8 = v4 * T21 + s1_p * T11;
-    const wide v9 = v5 * T21 - v7 * T11;
-    const wide v10 = v4 * T22 + s1_p * T12;
-    const wide v11 = v5 * T22 - v7 * T12;
-    const wide w6_p = sqrt_wide(v8 * v8 + v10 * v10);
-    const wide w6_m = sqrt_wide(v9 * v9 + v11 * v11);
+    const wide v12 = v6 * T21 + s1_p * T11;
+    const wide v13 = v7 * T21 - v11 * T11;
+    const wide v14 = v6 * T22 + s1_p * T12;
+    const wide v15 = v7 * T22 - v11 * T12;
+    const wide v16 = v12 * v12 + v14 * v14;
+    const wide v17 = v13 * v13 + v15 * v15;
+    const wide w6_p = sqrt_wide(v16);
+    const wide w6_m = sqrt_wide(v17);
     const wide factor6_p = 1.0 / w6_p;
     const wide factor6_m = 1.0 / w6_m;
-    const wide c6_p = v8 * factor6_p;
-    const wide c6_m = v9 * factor6_m;
-    const wide v12 = v10 * factor6_p;
-    const wide v13 = v11 * factor6_m;
-    const wide v14 = atan2_wide(-v12, c6_p);
-    const wide v15 = atan2_wide(-v13, c6_m);
+    const wide c6_p = v12 * factor6_p;
+    const wide c6_m = v13 * factor6_m;
+    const wide v18 = v14 * factor6_p;
+    const wide v19 = v15 * factor6_m;
+    const wide angle1__ = atan2_wide(-v14, v12);
+    const wide angle1___ = atan2_wide(-v15, v13);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v4;
-    const wide c5_m = T23 * v5 - T13 * v7;
-    const wide q5__p = atan2_wide(w6_p, c5_p);
-    const wide q5__m = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T13 * s1_p + T23 * v6;
+    const wide c5_m = T23 * v7 - T13 * v11;
+    const wide angle1____ = atan2_wide(w6_p, c5_p);
+    const wide angle1_____ = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide c234_p = c6_p * T32 - v12 * T31;
-    const wide c234_m = c6_m * T32 - v13 * T31;
-    const wide s234_p = c5_p * (c6_p * T31 + v12 * T32) - w6_p * T33;
-    const wide s234_m = c5_m * (c6_m * T31 + v13 * T32) - w6_m * T33;
-    const wide theta234_pp = atan2_wide(s234_p, c234_p);
-    const wide theta234_mp = atan2_wide(s234_m, c234_m);
-    const wide theta234_pm = theta234_pp - h1 * copysign_wide(all_wide(half_turn), s234_p);
-    const wide theta234_mm = theta234_mp - h1 * copysign_wide(all_wide(half_turn), s234_m);
+    const wide c234_p = c6_p * T32 - v18 * T31;
+    const wide c234_m = c6_m * T32 - v19 * T31;
+    const wide s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33;
+    const wide s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33;
+    const wide angle1______ = atan2_wide(s234_p, c234_p);
+    const wide angle1_______ = atan2_wide(s234_m, c234_m);
+    const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), s234_p);
+    const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s234_m);
 
     /* theta3 */
-    const wide v16 = d6 * w6_p;
-    const wide v17 = d6 * w6_m;
-    const wide v18 = T34 - d1;
-    const wide v19 = d5 * c234_p;
-    const wide v20 = d5 * c234_m;
-    const wide v21 = s234_p * v16;
-    const wide v22 = s234_m * v17;
-    const wide Z1_3_pp = v18 + (v19 + v21);
-    const wide Z1_3_pm = v18 + (v21 - v19);
-    const wide Z1_3_mp = v18 + (v20 + v22);
-    const wide Z1_3_mm = v18 + (v22 - v20);
-    const wide v23 = T24 * s1_p - T14 * v4;
-    const wide v24 = T24 * v7 + T14 * v5;
-    const wide v25 = c234_p * v16;
-    const wide v26 = c234_m * v17;
-    const wide v27 = d5 * s234_p;
-    const wide v28 = d5 * s234_m;
-    const wide Z2_3_pp = v23 + (v25 - v27);
-    const wide Z2_3_pm = v23 + (v25 + v27);
-    const wide Z2_3_mp = v26 - v28 - v24;
-    const wide Z2_3_mm = v26 + v28 - v24;
+    const wide v20 = d6 * w6_p;
+    const wide v21 = d6 * w6_m;
+    const wide v22 = T34 - d1;
+    const wide v23 = d5 * c234_p;
+    const wide v24 = d5 * c234_m;
+    const wide v25 = s234_p * v20;
+    const wide v26 = s234_m * v21;
+    const wide Z1_3_pp = v22 + (v23 + v25);
+    const wide Z1_3_pm = v22 + (v25 - v23);
+    const wide Z1_3_mp = v22 + (v24 + v26);
+    const wide Z1_3_mm = v22 + (v26 - v24);
+    const wide v27 = T24 * s1_p - T14 * v6;
+    const wide v28 = T24 * v11 + T14 * v7;
+    const wide v29 = c234_p * v20;
+    const wide v30 = c234_m * v21;
+    const wide v31 = d5 * s234_p;
+    const wide v32 = d5 * s234_m;
+    const wide Z2_3_pp = v27 + (v29 - v31);
+    const wide Z2_3_pm = v27 + (v29 + v31);
+    const wide Z2_3_mp = v30 - v32 - v28;
+    const wide Z2_3_mm = v30 + v32 - v28;
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
     const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
+    const wide K3_pp = N3_pp - k4;
+    const wide K3_pm = N3_pm - k4;
+    const wide K3_mp = N3_mp - k4;
+    const wide K3_mm = N3_mm - k4;
     const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide s3_pp = k5 * w3_pp;
-    const wide s3_pm = k5 * w3_pm;
-    const wide s3_mp = k5 * w3_mp;
-    const wide s3_mm = k5 * w3_mm;
-    const wide c3_pp = k5 * (N3_pp - k4);
-    const wide c3_pm = k5 * (N3_pm - k4);
-    const wide c3_mp = k5 * (N3_mp - k4);
-    const wide c3_mm = k5 * (N3_mm - k4);
-    const wide q3_ppp = atan2_wide(s3_pp, c3_pp);
-    const wide q3_pmp = atan2_wide(s3_pm, c3_pm);
-    const wide q3_mpp = atan2_wide(s3_mp, c3_mp);
-    const wide q3_mmp = atan2_wide(s3_mm, c3_mm);
+    const wide v33 = w3_pp - w3_pp;
+    const wide v34 = w3_pm - w3_pm;
+    const wide v35 = w3_mp - w3_mp;
+    const wide v36 = w3_mm - w3_mm;
+    const wide angle1________ = atan2_wide(w3_pp, K3_pp);
+    const wide angle1_________ = atan2_wide(w3_pm, K3_pm);
+    const wide angle1__________ = atan2_wide(w3_mp, K3_mp);
+    const wide angle1___________ = atan2_wide(w3_mm, K3_mm);
 
     /* theta2 */
-    const wide X1_2_pp = a2 + a3 * c3_pp;
-    const wide X1_2_pm = a2 + a3 * c3_pm;
-    const wide X1_2_mp = a2 + a3 * c3_mp;
-    const wide X1_2_mm = a2 + a3 * c3_mm;
-    const wide Y1_2_pp = a3 * s3_pp;
-    const wide Y1_2_pm = a3 * s3_pm;
-    const wide Y1_2_mp = a3 * s3_mp;
-    const wide Y1_2_mm = a3 * s3_mm;
-    const wide v29 = Z1_3_pp * X1_2_pp;
-    const wide v30 = Z1_3_pm * X1_2_pm;
-    const wide v31 = Z1_3_mp * X1_2_mp;
-    const wide v32 = Z1_3_mm * X1_2_mm;
-    const wide v33 = Z2_3_pp * Y1_2_pp;
-    const wide v34 = Z2_3_pm * Y1_2_pm;
-    const wide v35 = Z2_3_mp * Y1_2_mp;
-    const wide v36 = Z2_3_mm * Y1_2_mm;
-    const wide S2_ppp = v29 - v33;
-    const wide S2_ppm = v29 + v33;
-    const wide S2_pmp = v30 - v34;
-    const wide S2_pmm = v30 + v34;
-    const wide S2_mpp = v31 - v35;
-    const wide S2_mpm = v31 + v35;
-    const wide S2_mmp = v32 - v36;
-    const wide S2_mmm = v32 + v36;
-    const wide v37 = Z2_3_pp * X1_2_pp;
-    const wide v38 = Z2_3_pm * X1_2_pm;
-    const wide v39 = Z2_3_mp * X1_2_mp;
-    const wide v40 = Z2_3_mm * X1_2_mm;
-    const wide v41 = Z1_3_pp * Y1_2_pp;
-    const wide v42 = Z1_3_pm * Y1_2_pm;
-    const wide v43 = Z1_3_mp * Y1_2_mp;
-    const wide v44 = Z1_3_mm * Y1_2_mm;
-    const wide C2_ppp = v37 + v41;
-    const wide C2_ppm = v37 - v41;
-    const wide C2_pmp = v38 + v42;
-    const wide C2_pmm = v38 - v42;
-    const wide C2_mpp = v39 + v43;
-    const wide C2_mpm = v39 - v43;
-    const wide C2_mmp = v40 + v44;
-    const wide C2_mmm = v40 - v44;
-    const wide w2_ppp = sqrt_wide(S2_ppp * S2_ppp + C2_ppp * C2_ppp);
-    const wide w2_ppm = sqrt_wide(S2_ppm * S2_ppm + C2_ppm * C2_ppm);
-    const wide w2_pmp = sqrt_wide(S2_pmp * S2_pmp + C2_pmp * C2_pmp);
-    const wide w2_pmm = sqrt_wide(S2_pmm * S2_pmm + C2_pmm * C2_pmm);
-    const wide w2_mpp = sqrt_wide(S2_mpp * S2_mpp + C2_mpp * C2_mpp);
-    const wide w2_mpm = sqrt_wide(S2_mpm * S2_mpm + C2_mpm * C2_mpm);
-    const wide w2_mmp = sqrt_wide(S2_mmp * S2_mmp + C2_mmp * C2_mmp);
-    const wide w2_mmm = sqrt_wide(S2_mmm * S2_mmm + C2_mmm * C2_mmm);
-    const wide factor2_ppp = 1.0 / w2_ppp;
-    const wide factor2_ppm = 1.0 / w2_ppm;
-    const wide factor2_pmp = 1.0 / w2_pmp;
-    const wide factor2_pmm = 1.0 / w2_pmm;
-    const wide factor2_mpp = 1.0 / w2_mpp;
-    const wide factor2_mpm = 1.0 / w2_mpm;
-    const wide factor2_mmp = 1.0 / w2_mmp;
-    const wide factor2_mmm = 1.0 / w2_mmm;
-    const wide q2_ppp = atan2_wide(S2_ppp * factor2_ppp, C2_ppp * factor2_ppp);
-    const wide q2_ppm = atan2_wide(S2_ppm * factor2_ppm, C2_ppm * factor2_ppm);
-    const wide q2_pmp = atan2_wide(S2_pmp * factor2_pmp, C2_pmp * factor2_pmp);
-    const wide q2_pmm = atan2_wide(S2_pmm * factor2_pmm, C2_pmm * factor2_pmm);
-    const wide q2_mpp = atan2_wide(S2_mpp * factor2_mpp, C2_mpp * factor2_mpp);
-    const wide q2_mpm = atan2_wide(S2_mpm * factor2_mpm, C2_mpm * factor2_mpm);
-    const wide q2_mmp = atan2_wide(S2_mmp * factor2_mmp, C2_mmp * factor2_mmp);
-    const wide q2_mmm = atan2_wide(S2_mmm * factor2_mmm, C2_mmm * factor2_mmm);
+    const wide X1_2_pp = a2 + a3 * (k5 * K3_pp);
+    const wide X1_2_pm = a2 + a3 * (k5 * K3_pm);
+    const wide X1_2_mp = a2 + a3 * (k5 * K3_mp);
+    const wide X1_2_mm = a2 + a3 * (k5 * K3_mm);
+    const wide Y1_2_pp = a3 * (k5 * w3_pp);
+    const wide Y1_2_pm = a3 * (k5 * w3_pm);
+    const wide Y1_2_mp = a3 * (k5 * w3_mp);
+    const wide Y1_2_mm = a3 * (k5 * w3_mm);
+    const wide v37 = Z1_3_pp * X1_2_pp;
+    const wide v38 = Z1_3_pm * X1_2_pm;
+    const wide v39 = Z1_3_mp * X1_2_mp;
+    const wide v40 = Z1_3_mm * X1_2_mm;
+    const wide v41 = Z2_3_pp * Y1_2_pp;
+    const wide v42 = Z2_3_pm * Y1_2_pm;
+    const wide v43 = Z2_3_mp * Y1_2_mp;
+    const wide v44 = Z2_3_mm * Y1_2_mm;
+    const wide S2_ppp = v37 - v41;
+    const wide S2_ppm = v37 + v41;
+    const wide S2_pmp = v38 - v42;
+    const wide S2_pmm = v38 + v42;
+    const wide S2_mpp = v39 - v43;
+    const wide S2_mpm = v39 + v43;
+    const wide S2_mmp = v40 - v44;
+    const wide S2_mmm = v40 + v44;
+    const wide v45 = Z2_3_pp * X1_2_pp;
+    const wide v46 = Z2_3_pm * X1_2_pm;
+    const wide v47 = Z2_3_mp * X1_2_mp;
+    const wide v48 = Z2_3_mm * X1_2_mm;
+    const wide v49 = Z1_3_pp * Y1_2_pp;
+    const wide v50 = Z1_3_pm * Y1_2_pm;
+    const wide v51 = Z1_3_mp * Y1_2_mp;
+    const wide v52 = Z1_3_mm * Y1_2_mm;
+    const wide C2_ppp = v45 + v49;
+    const wide C2_ppm = v45 - v49;
+    const wide C2_pmp = v46 + v50;
+    const wide C2_pmm = v46 - v50;
+    const wide C2_mpp = v47 + v51;
+    const wide C2_mpm = v47 - v51;
+    const wide C2_mmp = v48 + v52;
+    const wide C2_mmm = v48 - v52;
+    const wide angle1____________ = atan2_wide(S2_ppp, C2_ppp);
+    const wide angle1_____________ = atan2_wide(S2_ppm, C2_ppm);
+    const wide angle1______________ = atan2_wide(S2_pmp, C2_pmp);
+    const wide angle1_______________ = atan2_wide(S2_pmm, C2_pmm);
+    const wide angle1________________ = atan2_wide(S2_mpp, C2_mpp);
+    const wide angle1_________________ = atan2_wide(S2_mpm, C2_mpm);
+    const wide angle1__________________ = atan2_wide(S2_mmp, C2_mmp);
+    const wide angle1___________________ = atan2_wide(S2_mmm, C2_mmm);
 
     /* joint values */
-    const wide v45 = theta234_pp - (q3_ppp + q2_ppp);
-    const wide v46 = theta234_pp - (q2_ppm - q3_ppp);
-    const wide v47 = theta234_pm - (q3_pmp + q2_pmp);
-    const wide v48 = theta234_pm - (q2_pmm - q3_pmp);
-    const wide v49 = theta234_mp - (q3_mpp + q2_mpp);
-    const wide v50 = theta234_mp - (q2_mpm - q3_mpp);
-    const wide v51 = theta234_mm - (q3_mmp + q2_mmp);
-    const wide v52 = theta234_mm - (q2_mmm - q3_mmp);
-    const wide q4_ppp = v45 - pick_wide(half_turn < v45, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v45 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_ppm = v46 - pick_wide(half_turn < v46, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v46 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmp = v47 - pick_wide(half_turn < v47, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v47 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_pmm = v48 - pick_wide(half_turn < v48, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpp = v49 - pick_wide(half_turn < v49, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v49 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mpm = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmp = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v51 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q4_mmm = v52 - pick_wide(half_turn < v52, all_wide(m2), all_wide(0.0)) +
-        pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v53 = w3_pp - w3_pp;
-    const wide v54 = w3_pm - w3_pm;
-    const wide v55 = w3_mp - w3_mp;
-    const wide v56 = w3_mm - w3_mm;
-    const wide q1_ppp = q1__p + v53;
-    const wide q1_pmp = q1__p + v54;
-    const wide q1_mpp = q1__m + v55;
-    const wide q1_mmp = q1__m + v56;
-    const wide q5_ppp = q5__p + v53;
-    const wide q5_pmp = v54 - q5__p;
-    const wide q5_mpp = q5__m + v55;
-    const wide q5_mmp = v56 - q5__m;
-    const wide q6_ppp = v14 + v53;
-    const wide q6_pmp = v54 + (v14 - copysign_wide(all_wide(half_turn), -v12) * h1);
-    const wide q6_mpp = v15 + v55;
-    const wide q6_mmp = v56 + (v15 - copysign_wide(all_wide(half_turn), -v13) * h1);
-    const wide_mask doubt = (w2_mmm <= free_limit_squared2) | ((w2_mmp <= free_limit_squared2) |
-        ((w2_mpm <= free_limit_squared2) | ((w2_mpp <= free_limit_squared2) | ((w2_pmm <=
-        free_limit_squared2) | ((w2_pmp <= free_limit_squared2) | ((w2_ppm <= free_limit_squared2) |
-        ((w2_ppp <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm <=
-        longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
-        ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) &
-        (N3_mp < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <=
-        longest3_reach)) & (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) |
-        ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) &
-        (N3_pp < longest3_apart)) == 0)) | ((w6_m <= free_limit) | ((w6_p <= free_limit) | (free1 |
-        ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))))))))))));
+    const wide v53 = angle1______ - (angle1________ + angle1____________);
+    const wide v54 = angle1______ - (angle1_____________ - angle1________);
+    const wide v55 = theta234_pm - (angle1_________ + angle1______________);
+    const wide v56 = theta234_pm - (angle1_______________ - angle1_________);
+    const wide v57 = angle1_______ - (angle1__________ + angle1________________);
+    const wide v58 = angle1_______ - (angle1_________________ - angle1__________);
+    const wide v59 = theta234_mm - (angle1___________ + angle1__________________);
+    const wide v60 = theta234_mm - (angle1___________________ - angle1___________);
+    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v53 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v54 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v55 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v56 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v57 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v58 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v59 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v60 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_ppp = angle1 + v33;
+    const wide q1_pmp = angle1 + v34;
+    const wide q1_mpp = angle1_ + v35;
+    const wide q1_mmp = angle1_ + v36;
+    const wide q5_ppp = angle1____ + v33;
+    const wide q5_pmp = v34 - angle1____;
+    const wide q5_mpp = angle1_____ + v35;
+    const wide q5_mmp = v36 - angle1_____;
+    const wide q6_ppp = angle1__ + v33;
+    const wide q6_pmp = v34 + (angle1__ - copysign_wide(all_wide(half_turn), -v14) * h1);
+    const wide q6_mpp = angle1___ + v35;
+    const wide q6_mmp = v36 + (angle1___ - copysign_wide(all_wide(half_turn), -v15) * h1);
+    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m3) | ((S2_mmp * S2_mmp + C2_mmp *
+        C2_mmp <= m3) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m3) | ((S2_mpp * S2_mpp + C2_mpp *
+        C2_mpp <= m3) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m3) | ((S2_pmp * S2_pmp + C2_pmp *
+        C2_pmp <= m3) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m3) | ((S2_ppp * S2_ppp + C2_ppp *
+        C2_ppp <= m3) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
+        (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
+        N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
+        longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
+        N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
+        longest3_apart)) == 0)) | ((v17 <= m1) | ((v16 <= m1) | (free1 | ((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0)))))))))))))))));
 
     q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
+    q[1] = angle1____________;
+    q[2] = angle1________;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = q2_ppm;
-    q[8] = -q3_ppp;
+    q[7] = angle1_____________;
+    q[8] = -angle1________;
     q[9] = q4_ppm;
     q[10] = q5_ppp;
     q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_pmp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
+    q[13] = angle1______________;
+    q[14] = angle1_________;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_pmp;
-    q[19] = q2_pmm;
-    q[20] = -q3_pmp;
+    q[19] = angle1_______________;
+    q[20] = -angle1_________;
     q[21] = q4_pmm;
     q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
+    q[25] = angle1________________;
+    q[26] = angle1__________;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = q2_mpm;
-    q[32] = -q3_mpp;
+    q[31] = angle1_________________;
+    q[32] = -angle1__________;
     q[33] = q4_mpm;
     q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mmp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
+    q[37] = angle1__________________;
+    q[38] = angle1___________;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mmp;
-    q[43] = q2_mmm;
-    q[44] = -q3_mmp;
+    q[43] = angle1___________________;
+    q[44] = -angle1___________;
     q[45] = q4_mmm;
     q[46] = q5_mmp;
     q[47] = q6_mmp;
@@ -761,7 +756,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -783,90 +778,93 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = d4 * X1;
     const double v2 = d4 * wy;
     const double v3 = X1 * w1;
-    const four v4 = inverse1 * (v2 + e1 * v3);
-    const double v5 = wy * w1;
-    const four s1 = inverse1 * (e1 * v5 - v1);
-    const four q1_ = atan2_four(s1, -v4);
+    const four v4 = v2 + e1 * v3;
+    const four v5 = inverse1 * v4;
+    const double v6 = wy * w1;
+    const four v7 = e1 * v6 - v1;
+    const four s1 = inverse1 * v7;
 
     /* theta6 */
-    const four v6 = v4 * T21 + s1 * T11;
-    const four v7 = v4 * T22 + s1 * T12;
-    const four w6 = sqrt_four(v6 * v6 + v7 * v7);
+    const four v8 = v5 * T21 + s1 * T11;
+    const four v9 = v5 * T22 + s1 * T12;
+    const four v10 = v8 * v8 + v9 * v9;
+    const four w6 = sqrt_four(v10);
     const four factor6 = 1.0 / w6;
-    const four c6 = v6 * factor6;
-    const four v8 = v7 * factor6;
-    const four v9 = atan2_four(-v8, c6);
-    const four v10 = copysign_four(all_four(half_turn), -v8);
-    const four v11 = m1 * (e2 - 1.0);
+    const four c6 = v8 * factor6;
+    const four v11 = v9 * factor6;
+    const four v12 = copysign_four(all_four(half_turn), -v9);
+    const four v13 = m2 * (e2 - 1.0);
 
     /* theta5 */
-    const four c5 = T13 * s1 + T23 * v4;
-    const four q5_ = atan2_four(w6, c5);
+    const four c5 = T13 * s1 + T23 * v5;
 
     /* theta234 */
-    const four c234 = c6 * T32 - v8 * T31;
-    const four s234 = c5 * (c6 * T31 + v8 * T32) - w6 * T33;
-    const four v12 = atan2_four(s234, c234);
-    const four v13 = copysign_four(all_four(half_turn), s234);
-    const four theta234 = v12 + v11 * v13;
+    const four c234 = c6 * T32 - v11 * T31;
+    const four s234 = c5 * (c6 * T31 + v11 * T32) - w6 * T33;
+    const four v14 = copysign_four(all_four(half_turn), s234);
 
     /* theta3 */
-    const four v14 = d6 * w6;
-    const double v15 = T34 - d1;
-    const four v16 = d5 * c234;
-    const four v17 = s234 * v14;
-    const four Z1_3 = v15 + (v17 + e2 * v16);
-    const four v18 = T24 * s1 - T14 * v4;
-    const four v19 = c234 * v14;
-    const four v20 = d5 * s234;
-    const four Z2_3 = v18 + (v19 - e2 * v20);
+    const four v15 = d6 * w6;
+    const double v16 = T34 - d1;
+    const four v17 = d5 * c234;
+    const four v18 = s234 * v15;
+    const four Z1_3 = v16 + (v18 + e2 * v17);
+    const four v19 = T24 * s1 - T14 * v5;
+    const four v20 = c234 * v15;
+    const four v21 = d5 * s234;
+    const four Z2_3 = v19 + (v20 - e2 * v21);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const four K3 = N3 - k4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four s3 = k5 * w3;
-    const four c3 = k5 * (N3 - k4);
-    const four q3_p = atan2_four(s3, c3);
+    const four v22 = w3 - w3;
 
     /* theta2 */
-    const four X1_2 = a2 + a3 * c3;
-    const four Y1_2 = a3 * s3;
-    const four v21 = Z1_3 * X1_2;
-    const four v22 = Z2_3 * Y1_2;
-    const four S2_p = v21 - v22;
-    const four S2_m = v21 + v22;
-    const four v23 = Z2_3 * X1_2;
-    const four v24 = Z1_3 * Y1_2;
-    const four C2_p = v23 + v24;
-    const four C2_m = v23 - v24;
-    const four w2_p = sqrt_four(S2_p * S2_p + C2_p * C2_p);
-    const four w2_m = sqrt_four(S2_m * S2_m + C2_m * C2_m);
-    const four factor2_p = 1.0 / w2_p;
-    const four factor2_m = 1.0 / w2_m;
-    const four q2_p = atan2_four(S2_p * factor2_p, C2_p * factor2_p);
-    const four q2_m = atan2_four(S2_m * factor2_m, C2_m * factor2_m);
+    const four X1_2 = a2 + a3 * (k5 * K3);
+    const four Y1_2 = a3 * (k5 * w3);
+    const four v23 = Z1_3 * X1_2;
+    const four v24 = Z2_3 * Y1_2;
+    const four S2_p = v23 - v24;
+    const four S2_m = v23 + v24;
+    const four v25 = Z2_3 * X1_2;
+    const four v26 = Z1_3 * Y1_2;
+    const four C2_p = v25 + v26;
+    const four C2_m = v25 - v26;
 
     /* joint values */
-    const four v25 = theta234 - (q3_p + q2_p);
-    const four v26 = theta234 - (q2_m - q3_p);
-    const four q4_p = v25 - pick_four(half_turn < v25, all_four(m2), all_four(0.0)) + pick_four(v25
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const four q4_m = v26 - pick_four(half_turn < v26, all_four(m2), all_four(0.0)) + pick_four(v26
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const four v27 = w3 - w3;
-    const four q1_p = q1_ + v27;
-    const four q5_p = v27 + e2 * q5_;
-    const four q6_p = v27 + (v9 + v10 * v11);
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v28 = (w6 <= free_limit) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (w2_m <= free_limit_squared2) | ((w2_p <= free_limit_squared2) |
+    const four_mask v29 = (v10 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four_mask doubt = (S2_m * S2_m + C2_m * C2_m <= m3) | ((S2_p * S2_p + C2_p * C2_p <= m3) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | v28));
+        longest3_apart)) == 0)) | v29));
+
+    const four angle1____ = atan2_four(w3, K3);
+    const four angle1_____ = atan2_four(S2_p, C2_p);
+    const four angle1______ = atan2_four(S2_m, C2_m);
+    const four packed4 = atan2_four(__builtin_shufflevector(v7, -v9, 0, 5, 2, 7),
+        __builtin_shufflevector(-v4, v8, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
+    const four packed5 = atan2_four(__builtin_shufflevector(w6, s234, 0, 5, 2, 7),
+        __builtin_shufflevector(c5, c234, 0, 5, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle1___ + v13 * v14;
+    const four v27 = theta234 - (angle1____ + angle1_____);
+    const four v28 = theta234 - (angle1______ - angle1____);
+    const four q4_p = v27 - pick_four(half_turn < v27, all_four(m4), all_four(0.0)) + pick_four(v27
+        <= -half_turn, all_four(m4), all_four(0.0));
+    const four q4_m = v28 - pick_four(half_turn < v28, all_four(m4), all_four(0.0)) + pick_four(v28
+        <= -half_turn, all_four(m4), all_four(0.0));
+    const four q1_p = angle1 + v22;
+    const four q5_p = v22 + e2 * angle1__;
+    const four q6_p = v22 + (angle1_ + v12 * v13);
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_____, angle1____, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     const four_mask kind1 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
@@ -874,7 +872,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     status[2] = (unsigned char)kind1[1];
     status[4] = (unsigned char)kind1[2];
     status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -q3_p, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1______, -angle1____, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     const four_mask kind2 = kind_of(q1_p != q1_p, 0);
     count += __builtin_popcount(bits_four(kind2 == 0) & 15u);

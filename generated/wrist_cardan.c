@@ -11,7 +11,8 @@
 static const double turn = 6.283185307179586;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const wrist_cardan_branches[2] = {
     "left", "right",
@@ -163,25 +164,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -215,25 +218,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -248,25 +253,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -304,26 +311,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T11 * T11 + T31 * T31);
-    const wide_mask doubt = w1 <= free_limit;
-    const wide factor1 = 1.0 / w1;
-    const wide c1 = T11 * factor1;
-    const wide v1 = T31 * factor1;
-    const wide q1_p = atan2_wide(-v1, c1);
-    const wide q1_m = q1_p - copysign_wide(all_wide(half_turn), -v1) * h1;
+    const wide v1 = T11 * T11 + T31 * T31;
+    const wide_mask doubt = v1 <= m1;
+    const wide angle1 = atan2_wide(-T31, T11);
+    const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), -T31) * h1;
 
     /* theta2 */
-    const wide q2_p = atan2_wide(T21, w1);
-    const wide q2_m = h1 * copysign_wide(all_wide(half_turn), T21) - q2_p;
+    const wide angle1_ = atan2_wide(T21, sqrt_wide(v1));
+    const wide q2_m = h1 * copysign_wide(all_wide(half_turn), T21) - angle1_;
 
     /* theta3 */
-    const wide s3 = c1 * T32 - v1 * T12;
-    const wide q3_p = atan2_wide(s3, c1 * T33 - v1 * T13);
-    const wide q3_m = q3_p - h1 * copysign_wide(all_wide(half_turn), s3);
+    const wide s3 = T11 * T32 - T31 * T12;
+    const wide angle1__ = atan2_wide(s3, T11 * T33 - T31 * T13);
+    const wide q3_m = angle1__ - h1 * copysign_wide(all_wide(half_turn), s3);
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
+    q[0] = angle1;
+    q[1] = angle1_;
+    q[2] = angle1__;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[3] = q1_m;
     q[4] = q2_m;
@@ -395,7 +399,7 @@ HELPER double irregularity_double(const double T[16])
     return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz;
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
@@ -406,27 +410,27 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10];
 
     /* theta1 */
-    const double w1 = sqrt(T11 * T11 + T31 * T31);
-    const int doubt = w1 <= free_limit;
-    const double factor1 = 1.0 / w1;
-    const double c1 = T11 * factor1;
-    const double v1 = T31 * factor1;
-    const four v2 = atan2_four(all_four(-v1), all_four(c1));
-    const double v3 = copysign(half_turn, -v1);
-    const four v4 = e1 - 1.0;
-    const four v5 = m1 * v4;
-    const four q1 = v2 + v3 * v5;
+    const double v1 = T11 * T11 + T31 * T31;
+    const int doubt = v1 <= m1;
+    const double v2 = copysign(half_turn, -T31);
+    const four v3 = e1 - 1.0;
+    const four v4 = m2 * v3;
 
     /* theta2 */
-    const four v6 = atan2_four(all_four(T21), all_four(w1));
-    const double v7 = copysign(half_turn, T21);
-    const four q2 = e1 * v6 + v7 * (m1 * -v4);
+    const double v5 = copysign(half_turn, T21);
 
     /* theta3 */
-    const double s3 = c1 * T32 - v1 * T12;
-    const four v8 = atan2_four(all_four(s3), all_four(c1 * T33 - v1 * T13));
-    const double v9 = copysign(half_turn, s3);
-    const four q3 = v8 + v5 * v9;
+    const double s3 = T11 * T32 - T31 * T12;
+    const double v6 = copysign(half_turn, s3);
+
+    const four packed1 = atan2_four((four){ -T31, T21, s3, -T31 }, (four){ T11, sqrt(v1), T11 * T33
+        - T31 * T13, T11 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q1 = angle1 + v2 * v4;
+    const four q2 = e1 * angle1_ + v5 * (m2 * -v3);
+    const four q3 = angle1__ + v4 * v6;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

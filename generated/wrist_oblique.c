@@ -34,6 +34,7 @@ static const double f4 = 0.3213938048432697; /* ca2 * 1 / 2 */
 static const double g1 = 0.5; /* 1 / 2 */
 static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
 static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
+static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -217,25 +218,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -269,25 +272,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -302,25 +307,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -372,117 +379,126 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide v3 = v1 * Z1;
     const wide v4 = Y1 * Z1;
     const wide v5 = v1 * w1;
-    const wide c1_p = inverse1 * (v4 + v5);
-    const wide c1_m = inverse1 * (v4 - v5);
-    const wide v6 = Y1 * w1;
-    const wide s1_p = inverse1 * (v6 - v3);
-    const wide v7 = inverse1 * (v3 + v6);
+    const wide v6 = v4 + v5;
+    const wide v7 = v4 - v5;
+    const wide c1_p = inverse1 * v6;
+    const wide c1_m = inverse1 * v7;
+    const wide v8 = Y1 * w1;
+    const wide v9 = v8 - v3;
+    const wide v10 = v3 + v8;
+    const wide s1_p = inverse1 * v9;
+    const wide v11 = inverse1 * v10;
 
     /* theta3 */
-    const wide v8 = sqrt3 * T22;
-    const wide v9 = sqrt3 * T12;
-    const wide v10 = sqrt3 * T21;
-    const wide v11 = sqrt3 * T11;
-    const wide S3_p = sa2 * (k1 * (T31 + (s1_p * v11 - c1_p * v10)));
-    const wide S3_m = sa2 * (k1 * (T31 - (v7 * v11 + c1_m * v10)));
-    const wide C3_p = sa2 * (k1 * (T32 + (s1_p * v9 - c1_p * v8)));
-    const wide C3_m = sa2 * (k1 * (T32 - (v7 * v9 + c1_m * v8)));
-    const wide w3_p = sqrt_wide(S3_p * S3_p + C3_p * C3_p);
-    const wide w3_m = sqrt_wide(S3_m * S3_m + C3_m * C3_m);
-    const wide v12 = 1.0 / w3_p;
-    const wide v13 = 1.0 / w3_m;
-    const wide v14 = C3_p * v12;
-    const wide v15 = C3_m * v13;
-    const wide v16 = S3_p * v12;
-    const wide v17 = S3_m * v13;
+    const wide v12 = sqrt3 * T22;
+    const wide v13 = sqrt3 * T12;
+    const wide v14 = sqrt3 * T21;
+    const wide v15 = sqrt3 * T11;
+    const wide S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)));
+    const wide S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)));
+    const wide C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)));
+    const wide C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)));
+    const wide v16 = S3_p * S3_p + C3_p * C3_p;
+    const wide v17 = S3_m * S3_m + C3_m * C3_m;
+    const wide v18 = 1.0 / sqrt_wide(v16);
+    const wide v19 = 1.0 / sqrt_wide(v17);
+    const wide v20 = C3_p * v18;
+    const wide v21 = C3_m * v19;
+    const wide v22 = S3_p * v18;
+    const wide v23 = S3_m * v19;
 
     /* theta2 */
-    const wide v18 = k4 * (T32 * v16 - T31 * v14);
-    const wide v19 = k4 * (T32 * v17 - T31 * v15);
-    const wide v20 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v21 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v22 = v20 * v20;
-    const wide w2_p = sqrt_wide(v22 + v18 * v18);
-    const wide w2_m = sqrt_wide(v22 + v19 * v19);
-    const wide factor2_p = v21 / w2_p;
-    const wide factor2_m = v21 / w2_m;
-    const wide v23 = v20 * factor2_p;
-    const wide v24 = v20 * factor2_m;
-    const wide v25 = v18 * factor2_p;
-    const wide v26 = v19 * factor2_m;
+    const wide v24 = k4 * (T32 * v22 - T31 * v20);
+    const wide v25 = k4 * (T32 * v23 - T31 * v21);
+    const wide v26 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v27 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v28 = v26 * v26;
+    const wide v29 = v28 + v24 * v24;
+    const wide v30 = v28 + v25 * v25;
+    const wide factor2_p = v27 / sqrt_wide(v29);
+    const wide factor2_m = v27 / sqrt_wide(v30);
+    const wide v31 = v26 * factor2_p;
+    const wide v32 = v26 * factor2_m;
+    const wide v33 = v24 * factor2_p;
+    const wide v34 = v25 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v27 = 2.0 * c1_p;
-    const wide v28 = 2.0 * c1_m;
-    const wide v29 = ca2 * s1_p;
-    const wide v30 = ca2 * v7;
-    const wide v31 = s1_p * v14;
-    const wide v32 = v7 * v15;
-    const wide v33 = ca2 * c1_p;
-    const wide v34 = ca2 * c1_m;
-    const wide v35 = 2.0 * v33;
-    const wide v36 = 2.0 * v34;
-    const wide v37 = s1_p * v16;
-    const wide v38 = v7 * v17;
-    const wide v39 = sa2 * s1_p;
-    const wide v40 = sa2 * v7;
-    const wide v41 = sa2 * c1_p;
-    const wide v42 = sa2 * c1_m;
-    const wide v43 = v23 * v39 + v25 * (2.0 * v41) + ca2 * (sqrt3 * s1_p);
-    const wide v44 = v26 * (2.0 * v42) - v24 * v40 - ca2 * (sqrt3 * v7);
-    const wide v45 = 2.0 * s1_p;
-    const wide v46 = 2.0 * v7;
-    const wide v47 = c1_p * v14;
-    const wide v48 = c1_m * v15;
-    const wide v49 = 2.0 * v29;
-    const wide v50 = 2.0 * v30;
-    const wide v51 = c1_p * v16;
-    const wide v52 = c1_m * v17;
-    const wide v53 = v25 * (2.0 * v39) - v23 * v41 - ca2 * (sqrt3 * c1_p);
-    const wide v54 = v26 * (2.0 * v40) + v24 * v42 + ca2 * (sqrt3 * c1_m);
-    const wide v55 = sqrt3 * v16;
-    const wide v56 = sqrt3 * v17;
-    const wide v57 = sqrt3 * v14;
-    const wide v58 = sqrt3 * v15;
-    const wide v59 = ca2 - k3 * v23;
-    const wide v60 = ca2 - k3 * v24;
-    const wide v61 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (d3 * v59)) <= pose_slack1) &
-        ((abs_wide(T33 - k1 * v59) <= pose_slack) & ((abs_wide(T32 - k1 * (v23 * (ca2 * v57) - v25 *
-        v55 + sa2 * v14)) <= pose_slack) & ((abs_wide(T31 - k1 * (v23 * (ca2 * v55) + v25 * v57 +
-        sa2 * v16)) <= pose_slack) & ((abs_wide(T24 - k1 * (d3 * v53)) <= pose_slack1) &
-        ((abs_wide(T23 - k1 * v53) <= pose_slack) & ((abs_wide(T22 + k1 * (v23 * (v16 * v45 - v14 *
-        v33) + v25 * (v51 + v14 * v49) + sa2 * (sqrt3 * v47))) <= pose_slack) & ((abs_wide(T21 - k1
-        * (v23 * (v14 * v45 + v16 * v33) - v25 * (v16 * v49 - v47) - sa2 * (sqrt3 * v51))) <=
-        pose_slack) & ((abs_wide(T14 - k1 * (d3 * v43)) <= pose_slack1) & ((abs_wide(T13 - k1 * v43)
-        <= pose_slack) & ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v37) - (v23 * (v16 * v29 - v14 * v27)
-        + v25 * (v31 + v16 * v35)))) <= pose_slack) & (abs_wide(T12 + k1 * (v23 * (v14 * v29 + v16 *
-        v27) - v25 * (v37 - v14 * v35) - sa2 * (sqrt3 * v31))) <= pose_slack))))))))))),
-        all_wide(0.0), all_wide(-1.0)));
-    const wide v62 = sqrt_wide(pick_wide((abs_wide(T34 - k1 * (d3 * v60)) <= pose_slack1) &
-        ((abs_wide(T33 - k1 * v60) <= pose_slack) & ((abs_wide(T32 - k1 * (v24 * (ca2 * v58) - v26 *
-        v56 + sa2 * v15)) <= pose_slack) & ((abs_wide(T31 - k1 * (v24 * (ca2 * v56) + v26 * v58 +
-        sa2 * v17)) <= pose_slack) & ((abs_wide(T24 + k1 * (d3 * v54)) <= pose_slack1) &
-        ((abs_wide(T23 + k1 * v54) <= pose_slack) & ((abs_wide(T22 + k1 * (v26 * (v52 - v15 * v50) -
-        v24 * (v17 * v46 + v15 * v34) + sa2 * (sqrt3 * v48))) <= pose_slack) & ((abs_wide(T21 - k1 *
-        (v24 * (v17 * v34 - v15 * v46) + v26 * (v48 + v17 * v50) - sa2 * (sqrt3 * v52))) <=
-        pose_slack) & ((abs_wide(T14 - k1 * (d3 * v44)) <= pose_slack1) & ((abs_wide(T13 - k1 * v44)
-        <= pose_slack) & ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v38) + (v26 * (v17 * v36 - v32) - v24
-        * (v17 * v30 + v15 * v28)))) <= pose_slack) & (abs_wide(T12 + k1 * (v24 * (v17 * v28 - v15 *
-        v30) + v26 * (v38 + v15 * v36) + sa2 * (sqrt3 * v32))) <= pose_slack))))))))))),
-        all_wide(0.0), all_wide(-1.0)));
+    const wide v35 = 2.0 * c1_p;
+    const wide v36 = 2.0 * c1_m;
+    const wide v37 = ca2 * s1_p;
+    const wide v38 = ca2 * v11;
+    const wide v39 = s1_p * v20;
+    const wide v40 = v11 * v21;
+    const wide v41 = ca2 * c1_p;
+    const wide v42 = ca2 * c1_m;
+    const wide v43 = 2.0 * v41;
+    const wide v44 = 2.0 * v42;
+    const wide v45 = s1_p * v22;
+    const wide v46 = v11 * v23;
+    const wide v47 = sa2 * s1_p;
+    const wide v48 = sa2 * v11;
+    const wide v49 = sa2 * c1_p;
+    const wide v50 = sa2 * c1_m;
+    const wide v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p);
+    const wide v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11);
+    const wide v53 = 2.0 * s1_p;
+    const wide v54 = 2.0 * v11;
+    const wide v55 = c1_p * v20;
+    const wide v56 = c1_m * v21;
+    const wide v57 = 2.0 * v37;
+    const wide v58 = 2.0 * v38;
+    const wide v59 = c1_p * v22;
+    const wide v60 = c1_m * v23;
+    const wide v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p);
+    const wide v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m);
+    const wide v63 = sqrt3 * v22;
+    const wide v64 = sqrt3 * v23;
+    const wide v65 = sqrt3 * v20;
+    const wide v66 = sqrt3 * v21;
+    const wide v67 = ca2 - k3 * v31;
+    const wide v68 = ca2 - k3 * v32;
+    const double v69 = sqrt(-1.0);
+    const wide v70 = pick_wide((abs_wide(T34 - k1 * (d3 * v67)) <= pose_slack1) & ((abs_wide(T33 -
+        k1 * v67) <= pose_slack) & ((abs_wide(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 *
+        v20)) <= pose_slack) & ((abs_wide(T31 - k1 * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <=
+        pose_slack) & ((abs_wide(T24 - k1 * (d3 * v61)) <= pose_slack1) & ((abs_wide(T23 - k1 * v61)
+        <= pose_slack) & ((abs_wide(T22 + k1 * (v31 * (v22 * v53 - v20 * v41) + v33 * (v59 + v20 *
+        v57) + sa2 * (sqrt3 * v55))) <= pose_slack) & ((abs_wide(T21 - k1 * (v31 * (v20 * v53 + v22
+        * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <= pose_slack) & ((abs_wide(T14 -
+        k1 * (d3 * v51)) <= pose_slack1) & ((abs_wide(T13 - k1 * v51) <= pose_slack) &
+        ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 * (v39 +
+        v22 * v43)))) <= pose_slack) & (abs_wide(T12 + k1 * (v31 * (v20 * v37 + v22 * v35) - v33 *
+        (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v69));
+    const wide v71 = pick_wide((abs_wide(T34 - k1 * (d3 * v68)) <= pose_slack1) & ((abs_wide(T33 -
+        k1 * v68) <= pose_slack) & ((abs_wide(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 *
+        v21)) <= pose_slack) & ((abs_wide(T31 - k1 * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <=
+        pose_slack) & ((abs_wide(T24 + k1 * (d3 * v62)) <= pose_slack1) & ((abs_wide(T23 + k1 * v62)
+        <= pose_slack) & ((abs_wide(T22 + k1 * (v34 * (v60 - v21 * v58) - v32 * (v23 * v54 + v21 *
+        v42) + sa2 * (sqrt3 * v56))) <= pose_slack) & ((abs_wide(T21 - k1 * (v32 * (v23 * v42 - v21
+        * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <= pose_slack) & ((abs_wide(T14 -
+        k1 * (d3 * v52)) <= pose_slack1) & ((abs_wide(T13 - k1 * v52) <= pose_slack) &
+        ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23 * v38 +
+        v21 * v36)))) <= pose_slack) & (abs_wide(T12 + k1 * (v32 * (v23 * v36 - v21 * v38) + v34 *
+        (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v69));
 
     /* joint values */
-    const wide v63 = v61 - v61;
-    const wide v64 = v62 - v62;
-    const wide q1_p = v63 + atan2_wide(s1_p, c1_p);
-    const wide q1_m = v64 + atan2_wide(-v7, c1_m);
-    const wide q2_p = v63 + atan2_wide(-v25, -v23);
-    const wide q2_m = v64 + atan2_wide(-v26, -v24);
-    const wide q3_p = v63 + atan2_wide(-v16, -v14);
-    const wide q3_m = v64 + atan2_wide(-v17, -v15);
-    const wide_mask doubt = ((w3_m <= free_limit_squared) | (w2_m <= free_limit_squared)) | ((free1
-        | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 +
-        v2) < D1) == 0)))) | ((w3_p <= free_limit_squared) | (w2_p <= free_limit_squared)));
+    const wide angle1 = atan2_wide(v9, v6);
+    const wide q1_p = v70 + angle1;
+    const wide angle1_ = atan2_wide(-v10, v7);
+    const wide q1_m = v71 + angle1_;
+    const wide angle1__ = atan2_wide(-v33, -v31);
+    const wide q2_p = v70 + angle1__;
+    const wide angle1___ = atan2_wide(-v34, -v32);
+    const wide q2_m = v71 + angle1___;
+    const wide angle1____ = atan2_wide(-S3_p, -C3_p);
+    const wide q3_p = v70 + angle1____;
+    const wide angle1_____ = atan2_wide(-S3_m, -C3_m);
+    const wide q3_m = v71 + angle1_____;
+    const wide_mask doubt = ((v17 <= m1) | (v30 <= m1)) | ((free1 | ((-(reach_slack1 * (reach_slack1
+        + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)))) | ((v16 <= m1)
+        | (v29 <= m1)));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -582,72 +598,80 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v3 = v1 * Z1;
     const double v4 = Y1 * Z1;
     const double v5 = v1 * w1;
-    const four c1 = inverse1 * (v4 + e1 * v5);
-    const double v6 = Y1 * w1;
-    const four s1 = inverse1 * (e1 * v6 - v3);
+    const four v6 = v4 + e1 * v5;
+    const four c1 = inverse1 * v6;
+    const double v7 = Y1 * w1;
+    const four v8 = e1 * v7 - v3;
+    const four s1 = inverse1 * v8;
 
     /* theta3 */
-    const double v7 = sqrt3 * T22;
-    const double v8 = sqrt3 * T12;
-    const double v9 = sqrt3 * T21;
-    const double v10 = sqrt3 * T11;
-    const four S3 = sa2 * (k1 * (T31 + (s1 * v10 - c1 * v9)));
-    const four C3 = sa2 * (k1 * (T32 + (s1 * v8 - c1 * v7)));
-    const four w3 = sqrt_four(S3 * S3 + C3 * C3);
-    const four v11 = 1.0 / w3;
-    const four v12 = C3 * v11;
-    const four v13 = S3 * v11;
+    const double v9 = sqrt3 * T22;
+    const double v10 = sqrt3 * T12;
+    const double v11 = sqrt3 * T21;
+    const double v12 = sqrt3 * T11;
+    const four S3 = sa2 * (k1 * (T31 + (s1 * v12 - c1 * v11)));
+    const four C3 = sa2 * (k1 * (T32 + (s1 * v10 - c1 * v9)));
+    const four v13 = S3 * S3 + C3 * C3;
+    const four v14 = 1.0 / sqrt_four(v13);
+    const four v15 = C3 * v14;
+    const four v16 = S3 * v14;
 
     /* theta2 */
-    const four v14 = k4 * (T32 * v13 - T31 * v12);
-    const double v15 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v16 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const double v17 = v15 * v15;
-    const four w2 = sqrt_four(v17 + v14 * v14);
-    const four factor2 = v16 / w2;
-    const four v18 = v15 * factor2;
-    const four v19 = v14 * factor2;
+    const four v17 = k4 * (T32 * v16 - T31 * v15);
+    const double v18 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v19 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v20 = v18 * v18;
+    const four v21 = v20 + v17 * v17;
+    const four factor2 = v19 / sqrt_four(v21);
+    const four v22 = v18 * factor2;
+    const four v23 = v17 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v20 = 2.0 * c1;
-    const four v21 = ca2 * s1;
-    const four v22 = s1 * v12;
-    const four v23 = ca2 * c1;
-    const four v24 = 2.0 * v23;
-    const four v25 = s1 * v13;
-    const four v26 = sa2 * s1;
-    const four v27 = sa2 * c1;
-    const four v28 = v18 * v26 + v19 * (2.0 * v27) + ca2 * (sqrt3 * s1);
-    const four v29 = 2.0 * s1;
-    const four v30 = c1 * v12;
-    const four v31 = 2.0 * v21;
-    const four v32 = c1 * v13;
-    const four v33 = v19 * (2.0 * v26) - v18 * v27 - ca2 * (sqrt3 * c1);
-    const four v34 = sqrt3 * v13;
-    const four v35 = sqrt3 * v12;
-    const four v36 = ca2 - k3 * v18;
-    const four v37 = sqrt_four(pick_four((abs_four(T34 - k1 * (d3 * v36)) <= pose_slack1) &
-        ((abs_four(T33 - k1 * v36) <= pose_slack) & ((abs_four(T32 - k1 * (v18 * (ca2 * v35) - v19 *
-        v34 + sa2 * v12)) <= pose_slack) & ((abs_four(T31 - k1 * (v18 * (ca2 * v34) + v19 * v35 +
-        sa2 * v13)) <= pose_slack) & ((abs_four(T24 - k1 * (d3 * v33)) <= pose_slack1) &
-        ((abs_four(T23 - k1 * v33) <= pose_slack) & ((abs_four(T22 + k1 * (v18 * (v13 * v29 - v12 *
-        v23) + v19 * (v32 + v12 * v31) + sa2 * (sqrt3 * v30))) <= pose_slack) & ((abs_four(T21 - k1
-        * (v18 * (v12 * v29 + v13 * v23) - v19 * (v13 * v31 - v30) - sa2 * (sqrt3 * v32))) <=
-        pose_slack) & ((abs_four(T14 - k1 * (d3 * v28)) <= pose_slack1) & ((abs_four(T13 - k1 * v28)
-        <= pose_slack) & ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v25) - (v18 * (v13 * v21 - v12 * v20)
-        + v19 * (v22 + v13 * v24)))) <= pose_slack) & (abs_four(T12 + k1 * (v18 * (v12 * v21 + v13 *
-        v20) - v19 * (v25 - v12 * v24) - sa2 * (sqrt3 * v22))) <= pose_slack))))))))))),
-        all_four(0.0), all_four(-1.0)));
+    const four v24 = 2.0 * c1;
+    const four v25 = ca2 * s1;
+    const four v26 = s1 * v15;
+    const four v27 = ca2 * c1;
+    const four v28 = 2.0 * v27;
+    const four v29 = s1 * v16;
+    const four v30 = sa2 * s1;
+    const four v31 = sa2 * c1;
+    const four v32 = v22 * v30 + v23 * (2.0 * v31) + ca2 * (sqrt3 * s1);
+    const four v33 = 2.0 * s1;
+    const four v34 = c1 * v15;
+    const four v35 = 2.0 * v25;
+    const four v36 = c1 * v16;
+    const four v37 = v23 * (2.0 * v30) - v22 * v31 - ca2 * (sqrt3 * c1);
+    const four v38 = sqrt3 * v16;
+    const four v39 = sqrt3 * v15;
+    const four v40 = ca2 - k3 * v22;
+    const double v41 = sqrt(-1.0);
+    const four v42 = pick_four((abs_four(T34 - k1 * (d3 * v40)) <= pose_slack1) & ((abs_four(T33 -
+        k1 * v40) <= pose_slack) & ((abs_four(T32 - k1 * (v22 * (ca2 * v39) - v23 * v38 + sa2 *
+        v15)) <= pose_slack) & ((abs_four(T31 - k1 * (v22 * (ca2 * v38) + v23 * v39 + sa2 * v16)) <=
+        pose_slack) & ((abs_four(T24 - k1 * (d3 * v37)) <= pose_slack1) & ((abs_four(T23 - k1 * v37)
+        <= pose_slack) & ((abs_four(T22 + k1 * (v22 * (v16 * v33 - v15 * v27) + v23 * (v36 + v15 *
+        v35) + sa2 * (sqrt3 * v34))) <= pose_slack) & ((abs_four(T21 - k1 * (v22 * (v15 * v33 + v16
+        * v27) - v23 * (v16 * v35 - v34) - sa2 * (sqrt3 * v36))) <= pose_slack) & ((abs_four(T14 -
+        k1 * (d3 * v32)) <= pose_slack1) & ((abs_four(T13 - k1 * v32) <= pose_slack) &
+        ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v29) - (v22 * (v16 * v25 - v15 * v24) + v23 * (v26 +
+        v16 * v28)))) <= pose_slack) & (abs_four(T12 + k1 * (v22 * (v15 * v25 + v16 * v24) - v23 *
+        (v29 - v15 * v28) - sa2 * (sqrt3 * v26))) <= pose_slack))))))))))), all_four(0.0),
+        all_four(v41));
 
     /* joint values */
-    const four v38 = v37 - v37;
-    const four q1 = v38 + atan2_four(s1, c1);
-    const four q2 = v38 + atan2_four(-v19, -v18);
-    const four q3 = v38 + atan2_four(-v13, -v12);
     const int doubt1 = free1 | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 |
         ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((w3 <= free_limit_squared) | (w2
-        <= free_limit_squared));
+    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v13 <= m1) | (v21 <= m1));
+
+    const four packed1 = atan2_four(__builtin_shufflevector(v8, -v23, 0, 1, 6, 7),
+        __builtin_shufflevector(v6, -v22, 0, 1, 6, 7));
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle1_ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
+    const four packed2 = atan2_four(-S3, -C3);
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
+    const four q1 = v42 + angle1;
+    const four q2 = v42 + angle1_;
+    const four q3 = v42 + angle1__;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -36,8 +36,11 @@ static const double pose_slack1 = 1.080646614543747e-05; /* a pose may be rounde
 static const double k1 = 0.20711584560000001; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.1677971055248615e-24; /* free_limit1^2 [m^2] */
+static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m4 = 1.3637500796722449e-48; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const xarm5_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -266,25 +269,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -318,25 +323,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -351,25 +358,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -409,203 +418,202 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide w1 = sqrt_wide(T14 * T14 + T24 * T24);
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
 
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide w234 = sqrt_wide(T33 * T33 + Z2_234 * Z2_234);
-    const wide_mask free234 = w234 <= free_limit_squared;
-    const wide factor234 = 1.0 / w234;
+    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
+    const wide_mask free234 = v2 <= m2;
+    const wide factor234 = 1.0 / sqrt_wide(v2);
     const wide c234 = T33 * factor234;
-    const wide v1 = Z2_234 * factor234;
-    const wide theta234 = atan2_wide(-v1, c234);
+    const wide v3 = Z2_234 * factor234;
+    const wide angle1 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
     const wide Z1_5 = s1 * T12 - c1 * T22;
     const wide Z2_5 = s1 * T11 - c1 * T21;
-    const wide w5 = sqrt_wide(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-    const wide v2 = 1.0 / w5;
-    const wide v3 = Z1_5 * v2;
-    const wide v4 = Z2_5 * v2;
-    const wide v5 = atan2_wide(-v4, -v3);
+    const wide v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const wide v5 = 1.0 / sqrt_wide(v4);
+    const wide v6 = Z1_5 * v5;
+    const wide v7 = Z2_5 * v5;
+    const wide angle1_ = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v6 = d5 * c234;
-    const wide v7 = a4 * v1;
-    const wide v8 = v6 - v7;
-    const wide v9 = v6 + v7;
-    const wide v10 = T34 - d1;
-    const wide Z1_3_p = v10 - v8;
-    const wide Z1_3_m = v10 - v9;
-    const wide v11 = d5 * v1;
-    const wide v12 = a4 * c234;
-    const wide v13 = v11 + v12;
-    const wide v14 = v12 - v11;
-    const wide Z2_3_p = w1 - v13;
-    const wide v15 = w1 + v14;
+    const wide v8 = d5 * c234;
+    const wide v9 = a4 * v3;
+    const wide v10 = v8 - v9;
+    const wide v11 = v8 + v9;
+    const wide v12 = T34 - d1;
+    const wide Z1_3_p = v12 - v10;
+    const wide Z1_3_m = v12 - v11;
+    const wide v13 = d5 * v3;
+    const wide v14 = a4 * c234;
+    const wide v15 = v13 + v14;
+    const wide v16 = v14 - v13;
+    const wide Z2_3_p = w1 - v15;
+    const wide v17 = w1 + v16;
     const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p;
-    const wide N3_m = Z1_3_m * Z1_3_m + v15 * v15;
+    const wide N3_m = Z1_3_m * Z1_3_m + v17 * v17;
+    const wide K3_p = N3_p - k1;
+    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide v18 = w3_p - w3_p;
+    const wide v19 = w3_m - w3_m;
     const wide s3_p = k2 * w3_p;
     const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * (N3_p - k1);
-    const wide c3_m = k2 * (N3_m - k1);
-    const wide theta3_p = atan2_wide(s3_p, c3_p);
-    const wide theta3_m = atan2_wide(s3_m, c3_m);
+    const wide c3_p = k2 * K3_p;
+    const wide c3_m = k2 * K3_m;
+    const wide angle1__ = atan2_wide(w3_p, K3_p);
+    const wide angle1___ = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
     const wide X1_2_p = a2 + a3 * c3_p;
     const wide X1_2_m = a2 + a3 * c3_m;
     const wide Y1_2_p = a3 * s3_p;
     const wide Y1_2_m = a3 * s3_m;
-    const wide v16 = Z1_3_p * X1_2_p;
-    const wide v17 = Z1_3_m * X1_2_m;
-    const wide v18 = Z2_3_p * Y1_2_p;
-    const wide v19 = v15 * Y1_2_m;
-    const wide S2_pp = v16 - v18;
-    const wide S2_pm = v16 + v18;
-    const wide S2_mp = v17 + v19;
-    const wide S2_mm = v17 - v19;
-    const wide v20 = Z2_3_p * X1_2_p;
-    const wide v21 = v15 * X1_2_m;
-    const wide v22 = Z1_3_p * Y1_2_p;
-    const wide v23 = Z1_3_m * Y1_2_m;
-    const wide C2_pp = v20 + v22;
-    const wide C2_pm = v20 - v22;
-    const wide C2_mp = v23 - v21;
-    const wide v24 = v21 + v23;
-    const wide w2_pp = sqrt_wide(S2_pp * S2_pp + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(S2_pm * S2_pm + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(S2_mp * S2_mp + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(S2_mm * S2_mm + v24 * v24);
-    const wide_mask free2_pp = w2_pp <= free_limit_squared2;
-    const wide_mask free2_pm = w2_pm <= free_limit_squared2;
-    const wide_mask free2_mp = w2_mp <= free_limit_squared2;
-    const wide_mask free2_mm = w2_mm <= free_limit_squared2;
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v20 = Z1_3_p * X1_2_p;
+    const wide v21 = Z1_3_m * X1_2_m;
+    const wide v22 = Z2_3_p * Y1_2_p;
+    const wide v23 = v17 * Y1_2_m;
+    const wide S2_pp = v20 - v22;
+    const wide S2_pm = v20 + v22;
+    const wide S2_mp = v21 + v23;
+    const wide S2_mm = v21 - v23;
+    const wide v24 = Z2_3_p * X1_2_p;
+    const wide v25 = v17 * X1_2_m;
+    const wide v26 = Z1_3_p * Y1_2_p;
+    const wide v27 = Z1_3_m * Y1_2_m;
+    const wide C2_pp = v24 + v26;
+    const wide C2_pm = v24 - v26;
+    const wide C2_mp = v27 - v25;
+    const wide v28 = v25 + v27;
+    const wide v29 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v30 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v31 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v32 = S2_mm * S2_mm + v28 * v28;
+    const wide_mask free2_pp = v29 <= m4;
+    const wide_mask free2_pm = v30 <= m4;
+    const wide_mask free2_mp = v31 <= m4;
+    const wide_mask free2_mm = v32 <= m4;
+    const wide factor2_pp = 1.0 / sqrt_wide(v29);
+    const wide factor2_pm = 1.0 / sqrt_wide(v30);
+    const wide factor2_mp = 1.0 / sqrt_wide(v31);
+    const wide factor2_mm = 1.0 / sqrt_wide(v32);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
-    const wide v25 = v24 * factor2_mm;
+    const wide v33 = v28 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_pm = S2_pm * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
     const wide s2_mm = S2_mm * factor2_mm;
-    const wide theta2_pp = atan2_wide(s2_pp, c2_pp);
-    const wide theta2_pm = atan2_wide(s2_pm, c2_pm);
-    const wide theta2_mp = atan2_wide(s2_mp, c2_mp);
-    const wide theta2_mm = atan2_wide(s2_mm, -v25);
+    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1______ = atan2_wide(S2_mp, C2_mp);
+    const wide angle1_______ = atan2_wide(S2_mm, -v28);
 
     /* is the pose one that the arm can take? */
-    const wide v26 = c1 * c234;
-    const wide v27 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v13 + a2 * c2_pp);
-    const wide v28 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v13 + a2 * c2_pm);
-    const wide v29 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v14 + a2 * c2_mp);
-    const wide v30 = a3 * (s3_m * s2_mm - c3_m * v25) + (v14 - a2 * v25);
-    const wide v31 = s1 * c234;
-    const wide v32 = d1 + v8;
-    const wide v33 = d1 + v9;
-    const wide v34 = sqrt_wide(pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v1
-        * v4) <= pose_slack) & ((abs_wide(T31 - v1 * v3) <= pose_slack) & ((abs_wide(T23 - s1 * v1)
-        <= pose_slack) & ((abs_wide(T22 - (v4 * v31 - c1 * v3)) <= pose_slack) & ((abs_wide(T21 +
-        (v3 * v31 + c1 * v4)) <= pose_slack) & ((abs_wide(T13 - c1 * v1) <= pose_slack) &
-        ((abs_wide(T11 - (s1 * v4 - v3 * v26)) <= pose_slack) & (abs_wide(T12 - (s1 * v3 + v4 *
-        v26)) <= pose_slack)))))))), all_wide(0.0), all_wide(-1.0)));
-    const wide v35 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v32
-        + a2 * s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v27) <= pose_slack1) & (abs_wide(T24
-        - s1 * v27) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v36 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v32
-        + a2 * s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v28) <= pose_slack1) & (abs_wide(T24
-        - s1 * v28) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v37 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33
-        + a2 * s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v29) <= pose_slack1) & (abs_wide(T24
-        + s1 * v29) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
-    const wide v38 = sqrt_wide(pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm + s3_m * v25) + (v33 +
-        a2 * s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v30) <= pose_slack1) & (abs_wide(T24 +
-        s1 * v30) <= pose_slack1)), all_wide(0.0), all_wide(-1.0)));
+    const wide v34 = c1 * c234;
+    const wide v35 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v15 + a2 * c2_pp);
+    const wide v36 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v15 + a2 * c2_pm);
+    const wide v37 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v16 + a2 * c2_mp);
+    const wide v38 = a3 * (s3_m * s2_mm - c3_m * v33) + (v16 - a2 * v33);
+    const wide v39 = s1 * c234;
+    const wide v40 = d1 + v10;
+    const wide v41 = d1 + v11;
+    const double v42 = sqrt(-1.0);
+    const wide v43 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
+        pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
+        pose_slack) & ((abs_wide(T22 - (v7 * v39 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
+        v39 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
+        (s1 * v7 - v6 * v34)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v34)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v42));
+    const wide v44 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v40 + a2 *
+        s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v35) <= pose_slack1) & (abs_wide(T24 - s1 *
+        v35) <= pose_slack1)), all_wide(0.0), all_wide(v42));
+    const wide v45 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v40 + a2 *
+        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v36) <= pose_slack1) & (abs_wide(T24 - s1 *
+        v36) <= pose_slack1)), all_wide(0.0), all_wide(v42));
+    const wide v46 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v41 + a2 *
+        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v37) <= pose_slack1) & (abs_wide(T24 + s1 *
+        v37) <= pose_slack1)), all_wide(0.0), all_wide(v42));
+    const wide v47 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm + s3_m * v33) + (v41 + a2 *
+        s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v38) <= pose_slack1) & (abs_wide(T24 + s1 *
+        v38) <= pose_slack1)), all_wide(0.0), all_wide(v42));
 
     /* joint values */
-    const wide v39 = atan2_wide(s1, c1);
-    const wide v40 = v39 - offset1;
-    const wide v41 = v39 - h1 * copysign_wide(all_wide(half_turn), s1) - offset1;
-    const wide v42 = theta2_pp - offset2;
-    const wide v43 = theta2_pm - offset2;
-    const wide v44 = theta2_mp - offset2;
-    const wide v45 = theta2_mm - offset2;
-    const wide v46 = theta3_p - offset3;
-    const wide v47 = offset3 + theta3_p;
-    const wide v48 = theta3_m - offset3;
-    const wide v49 = offset3 + theta3_m;
-    const wide v50 = theta234 - (theta3_p + theta2_pp) - offset4;
-    const wide v51 = theta234 - (theta2_pm - theta3_p) - offset4;
-    const wide v52 = offset4 + (theta234 + (theta3_m + theta2_mp));
-    const wide v53 = offset4 + (theta234 + (theta2_mm - theta3_m));
-    const wide v54 = v50 - pick_wide(half_turn < v50, all_wide(m2), all_wide(0.0)) + pick_wide(v50
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v55 = v51 - pick_wide(half_turn < v51, all_wide(m2), all_wide(0.0)) + pick_wide(v51
-        <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide v56 = pick_wide(-v52 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v52 +
-        pick_wide(half_turn < -v52, all_wide(m2), all_wide(0.0)));
-    const wide v57 = pick_wide(-v53 <= -half_turn, all_wide(m2), all_wide(0.0)) - (v53 +
-        pick_wide(half_turn < -v53, all_wide(m2), all_wide(0.0)));
-    const wide v58 = w3_p - w3_p;
-    const wide v59 = w3_m - w3_m;
-    const wide v60 = v34 - v34;
-    const wide v61 = v60 + (v58 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m2),
+    const wide angle1________ = atan2_wide(T24, T14);
+    const wide v48 = angle1________ - offset1;
+    const wide v49 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
+    const wide v50 = angle1____ - offset2;
+    const wide v51 = angle1_____ - offset2;
+    const wide v52 = angle1______ - offset2;
+    const wide v53 = angle1_______ - offset2;
+    const wide v54 = angle1__ - offset3;
+    const wide v55 = offset3 + angle1__;
+    const wide v56 = angle1___ - offset3;
+    const wide v57 = offset3 + angle1___;
+    const wide v58 = angle1 - (angle1__ + angle1____) - offset4;
+    const wide v59 = angle1 - (angle1_____ - angle1__) - offset4;
+    const wide v60 = offset4 + (angle1 + (angle1___ + angle1______));
+    const wide v61 = offset4 + (angle1 + (angle1_______ - angle1___));
+    const wide v62 = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0)) + pick_wide(v58
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v63 = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0)) + pick_wide(v59
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v64 = pick_wide(-v60 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v60 +
+        pick_wide(half_turn < -v60, all_wide(m5), all_wide(0.0)));
+    const wide v65 = pick_wide(-v61 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v61 +
+        pick_wide(half_turn < -v61, all_wide(m5), all_wide(0.0)));
+    const wide v66 = v43 + (v18 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide v62 = v60 + (v59 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m2),
+    const wide v67 = v43 + (v19 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide v63 = v35 - v35;
-    const wide v64 = v36 - v36;
-    const wide v65 = v37 - v37;
-    const wide v66 = v38 - v38;
-    const wide q1_pp = v61 + v63;
-    const wide q1_pm = v61 + v64;
-    const wide q1_mp = v62 + v65;
-    const wide q1_mm = v62 + v66;
-    const wide q2_pp = v63 + (v60 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m2),
+    const wide q1_pp = v44 + v66;
+    const wide q1_pm = v45 + v66;
+    const wide q1_mp = v46 + v67;
+    const wide q1_mm = v47 + v67;
+    const wide q2_pp = v44 + (v43 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_pm = v64 + (v60 + (v43 + pick_wide(v43 <= -half_turn, all_wide(m2),
+    const wide q2_pm = v45 + (v43 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_mp = v65 + (v60 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m2),
+    const wide q2_mp = v46 + (v43 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q2_mm = v66 + (v60 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m2),
+    const wide q2_mm = v47 + (v43 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q3_pp = v63 + (v60 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m2),
+    const wide q3_pp = v44 + (v43 + (v54 + pick_wide(v54 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q3_pm = v64 + (v60 + (pick_wide(-v47 <= -half_turn, all_wide(m2), all_wide(0.0)) -
-        v47));
-    const wide q3_mp = v65 + (v60 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m2),
+    const wide q3_pm = v45 + (v43 + (pick_wide(-v55 <= -half_turn, all_wide(m5), all_wide(0.0)) -
+        v55));
+    const wide q3_mp = v46 + (v43 + (v56 + pick_wide(v56 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q3_mm = v66 + (v60 + (pick_wide(-v49 <= -half_turn, all_wide(m2), all_wide(0.0)) -
-        v49));
-    const wide q4_pp = v63 + (v60 + (v54 - pick_wide(half_turn < v54, all_wide(m2),
+    const wide q3_mm = v47 + (v43 + (pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) -
+        v57));
+    const wide q4_pp = v44 + (v43 + (v62 - pick_wide(half_turn < v62, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_pm = v64 + (v60 + (v55 - pick_wide(half_turn < v55, all_wide(m2),
+    const wide q4_pm = v45 + (v43 + (v63 - pick_wide(half_turn < v63, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mp = v65 + (v60 + (v56 - pick_wide(half_turn < v56, all_wide(m2),
+    const wide q4_mp = v46 + (v43 + (v64 - pick_wide(half_turn < v64, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mm = v66 + (v60 + (v57 - pick_wide(half_turn < v57, all_wide(m2),
+    const wide q4_mm = v47 + (v43 + (v65 - pick_wide(half_turn < v65, all_wide(m5),
         all_wide(0.0))));
-    const wide v67 = v60 + (v5 + v58);
-    const wide v68 = v60 + (v59 + (v5 - copysign_wide(all_wide(half_turn), -v4) * h1));
-    const wide q5_pp = v63 + v67;
-    const wide q5_pm = v64 + v67;
-    const wide q5_mp = v65 + v68;
-    const wide q5_mm = v66 + v68;
+    const wide v68 = v43 + (angle1_ + v18);
+    const wide v69 = v43 + (v19 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
+    const wide q5_pp = v44 + v68;
+    const wide q5_pm = v45 + v68;
+    const wide q5_mp = v46 + v69;
+    const wide q5_mm = v47 + v69;
     const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
         ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
         (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((w5 <= free_limit_squared) |
-        (free234 | (w1 <= free_limit1))))))));
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v4 <= m2) | (free234 | (v1
+        <= m1))))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -699,7 +707,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
@@ -711,103 +719,110 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w1 = sqrt(v1);
     const double factor1 = 1.0 / w1;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
 
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
-    const double w234 = sqrt(T33 * T33 + Z2_234 * Z2_234);
-    const int free234 = w234 <= free_limit_squared;
-    const double factor234 = 1.0 / w234;
+    const double v2 = T33 * T33 + Z2_234 * Z2_234;
+    const int free234 = v2 <= m2;
+    const double factor234 = 1.0 / sqrt(v2);
     const double c234 = T33 * factor234;
-    const double v1 = Z2_234 * factor234;
-    const four theta234 = atan2_four(all_four(-v1), all_four(c234));
+    const double v3 = Z2_234 * factor234;
 
     /* theta5 */
     const double Z1_5 = s1 * T12 - c1 * T22;
     const double Z2_5 = s1 * T11 - c1 * T21;
-    const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
-    const double v2 = 1.0 / w5;
-    const double v3 = Z1_5 * v2;
-    const double v4 = Z2_5 * v2;
-    const four v5 = atan2_four(all_four(-v4), all_four(-v3));
-    const double v6 = copysign(half_turn, -v4);
-    const four v7 = m1 * (e1 - 1.0);
+    const double v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const double v5 = 1.0 / sqrt(v4);
+    const double v6 = Z1_5 * v5;
+    const double v7 = Z2_5 * v5;
+    const double v8 = copysign(half_turn, -Z2_5);
+    const four v9 = m3 * (e1 - 1.0);
 
     /* theta3 */
-    const double v8 = d5 * c234;
-    const double v9 = a4 * v1;
-    const four v10 = v8 - e1 * v9;
-    const double v11 = T34 - d1;
-    const four Z1_3 = v11 - v10;
-    const double v12 = d5 * v1;
-    const double v13 = a4 * c234;
-    const four v14 = v13 + e1 * v12;
-    const four Z2_3 = e1 * w1 - v14;
+    const double v10 = d5 * c234;
+    const double v11 = a4 * v3;
+    const four v12 = v10 - e1 * v11;
+    const double v13 = T34 - d1;
+    const four Z1_3 = v13 - v12;
+    const double v14 = d5 * v3;
+    const double v15 = a4 * c234;
+    const four v16 = v15 + e1 * v14;
+    const four Z2_3 = e1 * w1 - v16;
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four v17 = w3 - w3;
     const four s3 = k2 * w3;
-    const four c3 = k2 * (N3 - k1);
-    const four theta3 = atan2_four(s3, c3);
+    const four c3 = k2 * K3;
 
     /* theta2 */
     const four X1_2 = a2 + a3 * c3;
     const four Y1_2 = a3 * s3;
-    const four v15 = Z1_3 * X1_2;
-    const four v16 = Z2_3 * Y1_2;
-    const four S2 = v15 - e2 * v16;
-    const four v17 = Z2_3 * X1_2;
-    const four v18 = Z1_3 * Y1_2;
-    const four C2 = v17 + e2 * v18;
-    const four w2 = sqrt_four(S2 * S2 + C2 * C2);
-    const four_mask free2 = w2 <= free_limit_squared2;
-    const four factor2 = 1.0 / w2;
+    const four v18 = Z1_3 * X1_2;
+    const four v19 = Z2_3 * Y1_2;
+    const four S2 = v18 - e2 * v19;
+    const four v20 = Z2_3 * X1_2;
+    const four v21 = Z1_3 * Y1_2;
+    const four C2 = v20 + e2 * v21;
+    const four v22 = S2 * S2 + C2 * C2;
+    const four_mask free2 = v22 <= m4;
+    const four factor2 = 1.0 / sqrt_four(v22);
     const four c2 = C2 * factor2;
     const four s2 = S2 * factor2;
-    const four theta2 = atan2_four(s2, c2);
 
     /* is the pose one that the arm can take? */
-    const double v19 = c1 * c234;
-    const four v20 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v14 + a2 * c2);
-    const double v21 = s1 * c234;
-    const four v22 = d1 + v10;
-    const double v23 = sqrt(((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v1 * v4) <= pose_slack)
-        & ((fabs(T31 - v1 * v3) <= pose_slack) & ((fabs(T23 - s1 * v1) <= pose_slack) & ((fabs(T22 -
-        (v4 * v21 - c1 * v3)) <= pose_slack) & ((fabs(T21 + (v3 * v21 + c1 * v4)) <= pose_slack) &
-        ((fabs(T13 - c1 * v1) <= pose_slack) & ((fabs(T11 - (s1 * v4 - v3 * v19)) <= pose_slack) &
-        (fabs(T12 - (s1 * v3 + v4 * v19)) <= pose_slack))))))))) ? 0.0 : (-1.0));
-    const four v24 = sqrt_four(pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v22 +
-        a2 * s2))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v20)) <= pose_slack1) &
-        (abs_four(T24 - e1 * (s1 * v20)) <= pose_slack1)), all_four(0.0), all_four(-1.0)));
+    const double v23 = c1 * c234;
+    const four v24 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v16 + a2 * c2);
+    const double v25 = s1 * c234;
+    const four v26 = d1 + v12;
+    const double v27 = sqrt(-1.0);
+    const double v28 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v3 * v7) <= pose_slack) &
+        ((fabs(T31 - v3 * v6) <= pose_slack) & ((fabs(T23 - s1 * v3) <= pose_slack) & ((fabs(T22 -
+        (v7 * v25 - c1 * v6)) <= pose_slack) & ((fabs(T21 + (v6 * v25 + c1 * v7)) <= pose_slack) &
+        ((fabs(T13 - c1 * v3) <= pose_slack) & ((fabs(T11 - (s1 * v7 - v6 * v23)) <= pose_slack) &
+        (fabs(T12 - (s1 * v6 + v7 * v23)) <= pose_slack))))))))) ? 0.0 : v27;
+    const four v29 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v26 + a2 * s2)))
+        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v24)) <= pose_slack1) & (abs_four(T24 - e1 *
+        (s1 * v24)) <= pose_slack1)), all_four(0.0), all_four(v27));
 
     /* joint values */
-    const four v25 = atan2_four(all_four(s1), all_four(c1));
-    const double v26 = copysign(half_turn, s1);
-    const four v27 = v25 + v7 * v26 - offset1;
-    const four v28 = theta2 - offset2;
-    const four v29 = e2 * theta3;
-    const four v30 = v29 - offset3;
-    const four v31 = e1 * theta234;
-    const four v32 = v31 - (theta2 + v29) - offset4;
-    const four v33 = v32 - pick_four(half_turn < v32, all_four(m2), all_four(0.0)) + pick_four(v32
-        <= -half_turn, all_four(m2), all_four(0.0));
-    const four v34 = w3 - w3;
-    const double v35 = v23 - v23;
-    const four v36 = v35 + (v34 + (v27 + pick_four(v27 <= -half_turn, all_four(m2),
-        all_four(0.0))));
-    const four v37 = v24 - v24;
-    const four q1 = v36 + v37;
-    const four q2 = v37 + (v35 + (v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0))));
-    const four q3 = v37 + (v35 + (v30 + pick_four(v30 <= -half_turn, all_four(m2), all_four(0.0))));
-    const four q4 = v37 + (v35 + (v33 - pick_four(half_turn < v33, all_four(m2), all_four(0.0))));
-    const four v38 = v35 + (v34 + (v5 + v6 * v7));
-    const four q5 = v37 + v38;
-    const int doubt1 = (w5 <= free_limit_squared) | (free234 | (w1 <= free_limit1));
-    const four_mask v39 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+    const double v30 = copysign(half_turn, T24);
+    const int doubt1 = (v4 <= m2) | (free234 | (v1 <= m1));
+    const four_mask v40 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v39;
+    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v40;
+
+    const four angle1___ = atan2_four(S2, C2);
+    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
+        all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(T33), 0, 5, 2, 3),
+        all_four(-Z1_5), 0, 1, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four packed3 = atan2_four((four){ T24, T24, T24, T24 }, (four){ T14, T14, T14, T14 });
+    const four angle1____ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v31 = angle1____ + v9 * v30 - offset1;
+    const four v32 = angle1___ - offset2;
+    const four v33 = e2 * angle1__;
+    const four v34 = v33 - offset3;
+    const four v35 = e1 * angle1;
+    const four v36 = v35 - (angle1___ + v33) - offset4;
+    const four v37 = v36 - pick_four(half_turn < v36, all_four(m5), all_four(0.0)) + pick_four(v36
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four v38 = v28 + (v17 + (v31 + pick_four(v31 <= -half_turn, all_four(m5),
+        all_four(0.0))));
+    const four q1 = v29 + v38;
+    const four q2 = v29 + (v28 + (v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four q3 = v29 + (v28 + (v34 + pick_four(v34 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four q4 = v29 + (v28 + (v37 - pick_four(half_turn < v37, all_four(m5), all_four(0.0))));
+    const four v39 = v28 + (v17 + (angle1_ + v8 * v9));
+    const four q5 = v29 + v39;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;

@@ -37,6 +37,7 @@ static const double k2 = 0.0356; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.393225; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 6.467555636500607; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double turn1 = -1.4801364395941514; /* a constant angle [rad] */
 static const double low1 = -2.967000001; /* lowest value of joint 1 */
 static const double high1 = 2.967000001; /* highest value of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
@@ -46,8 +47,11 @@ static const double low3 = -1.221700001; /* lowest value of joint 3 */
 static const double high3 = 3.316100001; /* highest value of joint 3 */
 static const double low5 = -2.356100001; /* lowest value of joint 5 */
 static const double high5 = 2.356100001; /* highest value of joint 5 */
-static const double m2 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.8906249999999995e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 3.574462890625e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const yaskawa_gp7_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -300,25 +304,27 @@ HELPER four sqrt_four(four x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax;
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
     const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four up = pick_four(turned, least - most, least);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + p4 * u4 + p8 * u8;
-    const four eighth = pick_four(turned, all_four(0.7853981633974483), all_four(0.0));
-    four a = r + r * u * p + eighth;
-    a = pick_four(steep, 1.5707963267948966 - a, a);
-    a = pick_four(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_four(a, y);
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -352,25 +358,27 @@ HELPER wide sqrt_wide(wide x)
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #else
 #define LANES 1
@@ -385,25 +393,27 @@ typedef int wide_mask;
 #define atan2_wide atan2
 #else
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4. */
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax;
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
     const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide up = pick_wide(turned, least - most, least);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2, u8 = u4 * u4;
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
     const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + p4 * u4 + p8 * u8;
-    const wide eighth = pick_wide(turned, all_wide(0.7853981633974483), all_wide(0.0));
-    wide a = r + r * u * p + eighth;
-    a = pick_wide(steep, 1.5707963267948966 - a, a);
-    a = pick_wide(x < 0.0, 3.141592653589793 - a, a);
-    return copysign_wide(a, y);
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
 }
 #endif
 #endif
@@ -445,44 +455,47 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
-    const wide w1 = sqrt_wide(wx * wx + Y1 * Y1);
+    const wide v1 = wx * wx + Y1 * Y1;
+    const wide w1 = sqrt_wide(v1);
     const wide factor1 = 1.0 / w1;
-    const wide v1 = wx * factor1;
+    const wide v2 = wx * factor1;
     const wide s1 = Y1 * factor1;
-    const wide q1__p = atan2_wide(s1, -v1);
-    const wide q1__m = q1__p - copysign_wide(all_wide(half_turn), s1) * h1;
+    const wide angle1 = atan2_wide(Y1, -wx);
+    const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v2 = a1 + w1;
-    const wide v3 = a1 - w1;
-    const wide v4 = Z1_3 * Z1_3;
-    const wide N3_p = v4 + v2 * v2;
-    const wide N3_m = v4 + v3 * v3;
+    const wide v3 = a1 + w1;
+    const wide v4 = a1 - w1;
+    const wide v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3;
+    const wide N3_m = v5 + v4 * v4;
     const wide K3_p = N3_p - k3;
     const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v5 = k1 * K3_p;
-    const wide v6 = k1 * K3_m;
-    const wide v7 = k2 * w3_p;
-    const wide v8 = k2 * w3_m;
-    const wide s3_pp = k4 * (v5 + v7);
-    const wide s3_pm = k4 * (v5 - v7);
-    const wide s3_mp = k4 * (v6 + v8);
-    const wide s3_mm = k4 * (v6 - v8);
-    const wide v9 = k2 * K3_p;
-    const wide v10 = k2 * K3_m;
-    const wide v11 = k1 * w3_p;
-    const wide v12 = k1 * w3_m;
-    const wide c3_pp = k4 * (v9 - v11);
-    const wide c3_pm = k4 * (v9 + v11);
-    const wide c3_mp = k4 * (v10 - v12);
-    const wide c3_mm = k4 * (v10 + v12);
-    const wide q3__pp = atan2_wide(s3_pp, c3_pp);
-    const wide q3__pm = atan2_wide(s3_pm, c3_pm);
-    const wide q3__mp = atan2_wide(s3_mp, c3_mp);
-    const wide q3__mm = atan2_wide(s3_mm, c3_mm);
+    const wide v6 = k1 * K3_p;
+    const wide v7 = k1 * K3_m;
+    const wide v8 = k2 * w3_p;
+    const wide v9 = k2 * w3_m;
+    const wide s3_pp = k4 * (v6 + v8);
+    const wide s3_pm = k4 * (v6 - v8);
+    const wide s3_mp = k4 * (v7 + v9);
+    const wide s3_mm = k4 * (v7 - v9);
+    const wide v10 = k2 * K3_p;
+    const wide v11 = k2 * K3_m;
+    const wide v12 = k1 * w3_p;
+    const wide v13 = k1 * w3_m;
+    const wide c3_pp = k4 * (v10 - v12);
+    const wide c3_pm = k4 * (v10 + v12);
+    const wide c3_mp = k4 * (v11 - v13);
+    const wide c3_mm = k4 * (v11 + v13);
+    const wide angle1_ = atan2_wide(w3_p, K3_p);
+    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide q3__pp = angle1_ - turn1;
+    const wide v14 = turn1 + angle1_;
+    const wide q3__mp = angle1__ - turn1;
+    const wide v15 = turn1 + angle1__;
 
     /* theta2 */
     const wide X1_2_pp = a3 * s3_pp - d4 * c3_pp;
@@ -493,170 +506,174 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
     const wide Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
     const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide v13 = v2 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v14 = v2 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v15 = v3 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v16 = v3 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v2 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v2 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v3 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v3 * Y1_2_mm;
-    const wide w2_pp = sqrt_wide(v13 * v13 + C2_pp * C2_pp);
-    const wide w2_pm = sqrt_wide(v14 * v14 + C2_pm * C2_pm);
-    const wide w2_mp = sqrt_wide(v15 * v15 + C2_mp * C2_mp);
-    const wide w2_mm = sqrt_wide(v16 * v16 + C2_mm * C2_mm);
-    const wide factor2_pp = 1.0 / w2_pp;
-    const wide factor2_pm = 1.0 / w2_pm;
-    const wide factor2_mp = 1.0 / w2_mp;
-    const wide factor2_mm = 1.0 / w2_mm;
+    const wide v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
+    const wide v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
+    const wide v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
+    const wide v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
+    const wide C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp;
+    const wide C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm;
+    const wide C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp;
+    const wide C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm;
+    const wide v20 = v16 * v16 + C2_pp * C2_pp;
+    const wide v21 = v17 * v17 + C2_pm * C2_pm;
+    const wide v22 = v18 * v18 + C2_mp * C2_mp;
+    const wide v23 = v19 * v19 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v20);
+    const wide factor2_pm = 1.0 / sqrt_wide(v21);
+    const wide factor2_mp = 1.0 / sqrt_wide(v22);
+    const wide factor2_mm = 1.0 / sqrt_wide(v23);
     const wide c2_pp = C2_pp * factor2_pp;
     const wide c2_pm = C2_pm * factor2_pm;
     const wide c2_mp = C2_mp * factor2_mp;
     const wide c2_mm = C2_mm * factor2_mm;
-    const wide v17 = v13 * factor2_pp;
-    const wide v18 = v14 * factor2_pm;
-    const wide v19 = v15 * factor2_mp;
-    const wide v20 = v16 * factor2_mm;
+    const wide v24 = v16 * factor2_pp;
+    const wide v25 = v17 * factor2_pm;
+    const wide v26 = v18 * factor2_mp;
+    const wide v27 = v19 * factor2_mm;
 
     /* theta4 */
-    const wide c2m3_pp = c3_pp * c2_pp - s3_pp * v17;
-    const wide c2m3_pm = c3_pm * c2_pm - s3_pm * v18;
-    const wide c2m3_mp = c3_mp * c2_mp - s3_mp * v19;
-    const wide c2m3_mm = c3_mm * c2_mm - s3_mm * v20;
-    const wide v21 = c3_pp * v17 + s3_pp * c2_pp;
-    const wide v22 = c3_pm * v18 + s3_pm * c2_pm;
-    const wide v23 = c3_mp * v19 + s3_mp * c2_mp;
-    const wide v24 = c3_mm * v20 + s3_mm * c2_mm;
-    const wide v25 = T23 * s1 - T13 * v1;
-    const wide v26 = T33 * v21 + c2m3_pp * v25;
-    const wide v27 = T33 * v22 + c2m3_pm * v25;
-    const wide v28 = T33 * v23 - c2m3_mp * v25;
-    const wide v29 = T33 * v24 - c2m3_mm * v25;
-    const wide v30 = T23 * v1 + T13 * s1;
-    const wide v31 = v30 * v30;
-    const wide w4_pp = sqrt_wide(v31 + v26 * v26);
-    const wide w4_pm = sqrt_wide(v31 + v27 * v27);
-    const wide w4_mp = sqrt_wide(v31 + v28 * v28);
-    const wide w4_mm = sqrt_wide(v31 + v29 * v29);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide c4_pp = v26 * factor4_pp;
-    const wide c4_pm = v27 * factor4_pm;
-    const wide c4_mp = v28 * factor4_mp;
-    const wide c4_mm = v29 * factor4_mm;
-    const wide v32 = v30 * factor4_pp;
-    const wide v33 = v30 * factor4_pm;
-    const wide v34 = v30 * factor4_mp;
-    const wide v35 = v30 * factor4_mm;
-    const wide q4_ppp = atan2_wide(-v32, c4_pp);
-    const wide q4_pmp = atan2_wide(-v33, c4_pm);
-    const wide q4_mpp = atan2_wide(v34, c4_mp);
-    const wide q4_mmp = atan2_wide(v35, c4_mm);
-    const wide q4_ppm = q4_ppp - h1 * copysign_wide(all_wide(half_turn), -v32);
-    const wide q4_pmm = q4_pmp - h1 * copysign_wide(all_wide(half_turn), -v33);
-    const wide q4_mpm = q4_mpp - h1 * copysign_wide(all_wide(half_turn), v34);
-    const wide q4_mmm = q4_mmp - h1 * copysign_wide(all_wide(half_turn), v35);
+    const wide c2m3_pp = c3_pp * c2_pp - s3_pp * v24;
+    const wide c2m3_pm = c3_pm * c2_pm - s3_pm * v25;
+    const wide c2m3_mp = c3_mp * c2_mp - s3_mp * v26;
+    const wide c2m3_mm = c3_mm * c2_mm - s3_mm * v27;
+    const wide v28 = c3_pp * v24 + s3_pp * c2_pp;
+    const wide v29 = c3_pm * v25 + s3_pm * c2_pm;
+    const wide v30 = c3_mp * v26 + s3_mp * c2_mp;
+    const wide v31 = c3_mm * v27 + s3_mm * c2_mm;
+    const wide v32 = T23 * s1 - T13 * v2;
+    const wide c4_pp = T33 * v28 + c2m3_pp * v32;
+    const wide c4_pm = T33 * v29 + c2m3_pm * v32;
+    const wide c4_mp = T33 * v30 - c2m3_mp * v32;
+    const wide c4_mm = T33 * v31 - c2m3_mm * v32;
+    const wide v33 = T23 * v2 + T13 * s1;
+    const wide v34 = v33 * v33;
+    const wide v35 = v34 + c4_pp * c4_pp;
+    const wide v36 = v34 + c4_pm * c4_pm;
+    const wide v37 = v34 + c4_mp * c4_mp;
+    const wide v38 = v34 + c4_mm * c4_mm;
+    const wide angle1___ = atan2_wide(-v33, c4_pp);
+    const wide angle1____ = atan2_wide(-v33, c4_pm);
+    const wide angle1_____ = atan2_wide(v33, c4_mp);
+    const wide angle1______ = atan2_wide(v33, c4_mm);
+    const wide v39 = h1 * copysign_wide(all_wide(half_turn), -v33);
+    const wide v40 = h1 * copysign_wide(all_wide(half_turn), v33);
+    const wide q4_ppm = angle1___ - v39;
+    const wide q4_pmm = angle1____ - v39;
+    const wide q4_mpm = angle1_____ - v40;
+    const wide q4_mmm = angle1______ - v40;
 
     /* theta6 */
-    const wide v36 = s1 * T12 + v1 * T22;
-    const wide v37 = s1 * T22 - v1 * T12;
-    const wide v38 = s1 * T11 + v1 * T21;
-    const wide v39 = s1 * T21 - v1 * T11;
+    const wide v41 = s1 * T12 + v2 * T22;
+    const wide v42 = s1 * T22 - v2 * T12;
+    const wide v43 = s1 * T11 + v2 * T21;
+    const wide v44 = s1 * T21 - v2 * T11;
 
     /* joint values */
-    const wide v40 = atan2_wide(-v17, c2_pp) - offset2;
-    const wide v41 = atan2_wide(-v18, c2_pm) - offset2;
-    const wide v42 = atan2_wide(-v19, c2_mp) - offset2;
-    const wide v43 = atan2_wide(-v20, c2_mm) - offset2;
-    const wide q2_ppp = v40 - pick_wide(half_turn < v40, all_wide(m2), all_wide(0.0));
-    const wide q2_pmp = v41 - pick_wide(half_turn < v41, all_wide(m2), all_wide(0.0));
-    const wide q2_mpp = v42 - pick_wide(half_turn < v42, all_wide(m2), all_wide(0.0));
-    const wide q2_mmp = v43 - pick_wide(half_turn < v43, all_wide(m2), all_wide(0.0));
-    const wide v44 = atan2_wide(-w4_pp, T33 * c2m3_pp - v21 * v25);
-    const wide v45 = atan2_wide(-w4_pm, T33 * c2m3_pm - v22 * v25);
-    const wide v46 = atan2_wide(-w4_mp, T33 * c2m3_mp + v23 * v25);
-    const wide v47 = atan2_wide(-w4_mm, T33 * c2m3_mm + v24 * v25);
-    const wide v48 = v44 - offset5;
-    const wide v49 = offset5 + v44;
-    const wide v50 = v45 - offset5;
-    const wide v51 = offset5 + v45;
-    const wide v52 = v46 - offset5;
-    const wide v53 = offset5 + v46;
-    const wide v54 = v47 - offset5;
-    const wide v55 = offset5 + v47;
-    const wide q5_ppp = v48 + pick_wide(v48 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v49 <= -half_turn, all_wide(m2), all_wide(0.0)) - v49;
-    const wide q5_pmp = v50 + pick_wide(v50 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v51 <= -half_turn, all_wide(m2), all_wide(0.0)) - v51;
-    const wide q5_mpp = v52 + pick_wide(v52 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v53 <= -half_turn, all_wide(m2), all_wide(0.0)) - v53;
-    const wide q5_mmp = v54 + pick_wide(v54 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v55 <= -half_turn, all_wide(m2), all_wide(0.0)) - v55;
-    const wide v56 = c4_pp * v38 - v32 * (v21 * T31 + c2m3_pp * v39);
-    const wide v57 = c4_pm * v38 - v33 * (v22 * T31 + c2m3_pm * v39);
-    const wide v58 = v34 * (v23 * T31 - c2m3_mp * v39) - c4_mp * v38;
-    const wide v59 = v35 * (v24 * T31 - c2m3_mm * v39) - c4_mm * v38;
-    const wide v60 = atan2_wide(v56, v32 * (v21 * T32 + c2m3_pp * v37) - c4_pp * v36);
-    const wide v61 = atan2_wide(v57, v33 * (v22 * T32 + c2m3_pm * v37) - c4_pm * v36);
-    const wide v62 = atan2_wide(v58, c4_mp * v36 - v34 * (v23 * T32 - c2m3_mp * v37));
-    const wide v63 = atan2_wide(v59, c4_mm * v36 - v35 * (v24 * T32 - c2m3_mm * v37));
-    const wide v64 = v60 - offset6;
-    const wide v65 = v60 - h1 * copysign_wide(all_wide(half_turn), v56) - offset6;
-    const wide v66 = v61 - offset6;
-    const wide v67 = v61 - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
-    const wide v68 = v62 - offset6;
-    const wide v69 = v62 - h1 * copysign_wide(all_wide(half_turn), v58) - offset6;
-    const wide v70 = v63 - offset6;
-    const wide v71 = v63 - h1 * copysign_wide(all_wide(half_turn), v59) - offset6;
-    const wide q6_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_ppm = v65 + pick_wide(v65 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_pmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mpp = v68 + pick_wide(v68 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mpm = v69 + pick_wide(v69 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide q6_mmm = v71 + pick_wide(v71 <= -half_turn, all_wide(m2), all_wide(0.0));
-    const wide_mask v72 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v73 = (q1__m < low1) | (high1 < q1__m);
-    const wide v74 = q3__pp + pick_wide(q3__pp < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v75 = q3__pm + pick_wide(q3__pm < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v76 = q3__mp + pick_wide(q3__mp < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v77 = q3__mm + pick_wide(q3__mm < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v78 = (v74 < low3) | (high3 < v74);
+    const wide angle1_______ = atan2_wide(-v16, C2_pp);
+    const wide v45 = angle1_______ - offset2;
+    const wide angle1________ = atan2_wide(-v17, C2_pm);
+    const wide v46 = angle1________ - offset2;
+    const wide angle1_________ = atan2_wide(-v18, C2_mp);
+    const wide v47 = angle1_________ - offset2;
+    const wide angle1__________ = atan2_wide(-v19, C2_mm);
+    const wide v48 = angle1__________ - offset2;
+    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m5), all_wide(0.0));
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v35), T33 * c2m3_pp - v28 * v32);
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v36), T33 * c2m3_pm - v29 * v32);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v37), T33 * c2m3_mp + v30 * v32);
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v38), T33 * c2m3_mm + v31 * v32);
+    const wide v49 = angle1___________ - offset5;
+    const wide v50 = offset5 + angle1___________;
+    const wide v51 = angle1____________ - offset5;
+    const wide v52 = offset5 + angle1____________;
+    const wide v53 = angle1_____________ - offset5;
+    const wide v54 = offset5 + angle1_____________;
+    const wide v55 = angle1______________ - offset5;
+    const wide v56 = offset5 + angle1______________;
+    const wide q5_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v50 <= -half_turn, all_wide(m5), all_wide(0.0)) - v50;
+    const wide q5_pmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v52 <= -half_turn, all_wide(m5), all_wide(0.0)) - v52;
+    const wide q5_mpp = v53 + pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v54 <= -half_turn, all_wide(m5), all_wide(0.0)) - v54;
+    const wide q5_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v56 <= -half_turn, all_wide(m5), all_wide(0.0)) - v56;
+    const wide v57 = c4_pp * v43 - v33 * (v28 * T31 + c2m3_pp * v44);
+    const wide v58 = c4_pm * v43 - v33 * (v29 * T31 + c2m3_pm * v44);
+    const wide v59 = v33 * (v30 * T31 - c2m3_mp * v44) - c4_mp * v43;
+    const wide v60 = v33 * (v31 * T31 - c2m3_mm * v44) - c4_mm * v43;
+    const wide angle1_______________ = atan2_wide(v57, v33 * (v28 * T32 + c2m3_pp * v42) - c4_pp *
+        v41);
+    const wide angle1________________ = atan2_wide(v58, v33 * (v29 * T32 + c2m3_pm * v42) - c4_pm *
+        v41);
+    const wide angle1_________________ = atan2_wide(v59, c4_mp * v41 - v33 * (v30 * T32 - c2m3_mp *
+        v42));
+    const wide angle1__________________ = atan2_wide(v60, c4_mm * v41 - v33 * (v31 * T32 - c2m3_mm *
+        v42));
+    const wide v61 = angle1_______________ - offset6;
+    const wide v62 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
+    const wide v63 = angle1________________ - offset6;
+    const wide v64 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v58) -
+        offset6;
+    const wide v65 = angle1_________________ - offset6;
+    const wide v66 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v59) -
+        offset6;
+    const wide v67 = angle1__________________ - offset6;
+    const wide v68 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v60) -
+        offset6;
+    const wide q6_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_ppm = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_pmm = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mpm = v66 + pick_wide(v66 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q6_mmm = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v69 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m5), all_wide(0.0));
+    const wide v70 = v14 + pick_wide(half_turn < -v14, all_wide(m5), all_wide(0.0));
+    const wide v71 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m5), all_wide(0.0));
+    const wide v72 = v15 + pick_wide(half_turn < -v15, all_wide(m5), all_wide(0.0));
+    const wide_mask v73 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v74 = (q1__m < low1) | (high1 < q1__m);
+    const wide v75 = v69 + pick_wide(v69 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v76 = pick_wide(-v70 < low3, all_wide(whole_turn), all_wide(0.0)) - v70;
+    const wide v77 = v71 + pick_wide(v71 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v78 = pick_wide(-v72 < low3, all_wide(whole_turn), all_wide(0.0)) - v72;
     const wide_mask v79 = (v75 < low3) | (high3 < v75);
     const wide_mask v80 = (v76 < low3) | (high3 < v76);
     const wide_mask v81 = (v77 < low3) | (high3 < v77);
-    const wide q3_ppp = pick_wide(v78, q3__pp, v74);
-    const wide q3_pmp = pick_wide(v79, q3__pm, v75);
-    const wide q3_mpp = pick_wide(v80, q3__mp, v76);
-    const wide q3_mmp = pick_wide(v81, q3__mm, v77);
-    const wide q1_ppp = q1__p + (w3_p - w3_p);
+    const wide_mask v82 = (v78 < low3) | (high3 < v78);
+    const wide q3_ppp = pick_wide(v79, v69, v75);
+    const wide q3_pmp = pick_wide(v80, -v70, v76);
+    const wide q3_mpp = pick_wide(v81, v71, v77);
+    const wide q3_mmp = pick_wide(v82, -v72, v78);
+    const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v82 = v78 | (v72 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v83 = v79 | (v72 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v84 = v80 | (v73 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v85 = v81 | (v73 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v82 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v82 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v83 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v83 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v84 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v84 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v85 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v85 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((w2_mm <= free_limit_squared2) | (w4_mm <= free_limit)) | (((w2_mp <=
-        free_limit_squared2) | (w4_mp <= free_limit)) | (((w2_pm <= free_limit_squared2) | (w4_pm <=
-        free_limit)) | (((w2_pp <= free_limit_squared2) | (w4_pp <= free_limit)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((w1 <= free_limit1) | (((shortest3_reach <= N3_p) & (N3_p
-        <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask v83 = v79 | (v73 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v84 = v80 | (v73 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v85 = v81 | (v74 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v86 = v82 | (v74 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v83 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v83 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v84 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v84 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v85 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v85 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v86 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v86 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt = ((v23 <= m3) | (v38 <= m4)) | (((v22 <= m3) | (v37 <= m4)) | (((v21 <=
+        m3) | (v36 <= m4)) | (((v20 <= m3) | (v35 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
+        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = q4_ppp;
+    q[3] = angle1___;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
@@ -670,7 +687,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = q4_pmp;
+    q[15] = angle1____;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
@@ -684,7 +701,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = q4_mpp;
+    q[27] = angle1_____;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
@@ -698,7 +715,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = q4_mmp;
+    q[39] = angle1______;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
@@ -777,7 +794,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -791,14 +808,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
-    const double w1 = sqrt(wx * wx + Y1 * Y1);
-    const int doubt1 = w1 <= free_limit1;
+    const double v1 = wx * wx + Y1 * Y1;
+    const double w1 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
     const double factor1 = 1.0 / w1;
-    const double v1 = wx * factor1;
+    const double v2 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const four v2 = atan2_four(all_four(s1), all_four(-v1));
-    const double v3 = copysign(half_turn, s1);
-    const four q1_ = v2 + v3 * (m1 * (e1 - 1.0));
+    const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -813,70 +829,77 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v8 = k2 * K3;
     const four v9 = k1 * w3;
     const four c3 = k4 * (v8 - e2 * v9);
-    const four q3_ = atan2_four(s3, c3);
 
     /* theta2 */
     const four X1_2 = a3 * s3 - d4 * c3;
     const four Y1_2 = a2 + (a3 * c3 + d4 * s3);
     const four v10 = v4 * X1_2 + Z1_3 * Y1_2;
     const four C2 = Z1_3 * X1_2 - v4 * Y1_2;
-    const four w2 = sqrt_four(v10 * v10 + C2 * C2);
-    const four factor2 = 1.0 / w2;
+    const four v11 = v10 * v10 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
     const four c2 = C2 * factor2;
-    const four v11 = v10 * factor2;
+    const four v12 = v10 * factor2;
 
     /* theta4 */
-    const four c2m3 = c3 * c2 - s3 * v11;
-    const four v12 = c3 * v11 + s3 * c2;
-    const double v13 = T23 * s1 - T13 * v1;
-    const four v14 = T33 * v12 + e1 * (c2m3 * v13);
-    const double v15 = T23 * v1 + T13 * s1;
+    const four c2m3 = c3 * c2 - s3 * v12;
+    const four v13 = c3 * v12 + s3 * c2;
+    const double v14 = T23 * s1 - T13 * v2;
+    const four c4 = T33 * v13 + e1 * (c2m3 * v14);
+    const double v15 = T23 * v2 + T13 * s1;
     const double v16 = v15 * v15;
-    const four w4 = sqrt_four(v16 + v14 * v14);
-    const four factor4 = 1.0 / w4;
-    const four c4 = v14 * factor4;
-    const four v17 = v15 * factor4;
-    const four q4_p = atan2_four(-(e1 * v17), c4);
-    const four q4_m = q4_p - copysign_four(all_four(half_turn), -(e1 * v17)) * h1;
+    const four v17 = v16 + c4 * c4;
+    const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
 
     /* theta6 */
-    const double v18 = s1 * T12 + v1 * T22;
-    const double v19 = s1 * T22 - v1 * T12;
-    const double v20 = s1 * T11 + v1 * T21;
-    const double v21 = s1 * T21 - v1 * T11;
+    const double v19 = s1 * T12 + v2 * T22;
+    const double v20 = s1 * T22 - v2 * T12;
+    const double v21 = s1 * T11 + v2 * T21;
+    const double v22 = s1 * T21 - v2 * T11;
 
     /* joint values */
-    const four v22 = atan2_four(-v11, c2) - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m2), all_four(0.0));
-    const four v23 = atan2_four(-w4, T33 * c2m3 - e1 * (v12 * v13));
-    const four v24 = v23 - offset5;
-    const four v25 = offset5 + v23;
-    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m2), all_four(0.0)) - v25;
-    const four v26 = e1 * (c4 * v20 - v17 * (v12 * T31 + e1 * (c2m3 * v21)));
-    const four v27 = atan2_four(v26, e1 * (v17 * (v12 * T32 + e1 * (c2m3 * v19)) - c4 * v18));
-    const four v28 = v27 - offset6;
-    const four v29 = v27 - h1 * copysign_four(all_four(half_turn), v26) - offset6;
-    const four q6_p = v28 + pick_four(v28 <= -half_turn, all_four(m2), all_four(0.0));
-    const four q6_m = v29 + pick_four(v29 <= -half_turn, all_four(m2), all_four(0.0));
+    const four v26 = e1 * (c4 * v21 - v15 * (v13 * T31 + e1 * (c2m3 * v22)));
+    const four_mask v34 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
+    const four_mask doubt = ((v11 <= m3) | (v17 <= m4)) | v34;
+
+    const four angle1__ = atan2_four(-(e1 * v15), c4);
+    const four angle1___ = atan2_four(-v10, C2);
+    const four angle1____ = atan2_four(-sqrt_four(v17), T33 * c2m3 - e1 * (v13 * v14));
+    const four angle1_____ = atan2_four(v26, e1 * (v15 * (v13 * T32 + e1 * (c2m3 * v20)) - c4 *
+        v19));
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+        __builtin_shufflevector(K3, all_four(-wx), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
+    const four q3_ = e2 * angle1_ - turn1;
+    const four q4_m = angle1__ - v18;
+    const four v23 = angle1___ - offset2;
+    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m5), all_four(0.0));
+    const four v24 = angle1____ - offset5;
+    const four v25 = offset5 + angle1____;
+    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m5), all_four(0.0)) - v25;
+    const four v27 = angle1_____ - offset6;
+    const four v28 = angle1_____ - h1 * copysign_four(all_four(half_turn), v26) - offset6;
+    const four q6_p = v27 + pick_four(v27 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q6_m = v28 + pick_four(v28 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v29 = q3_ - pick_four(half_turn < q3_, all_four(m5), all_four(0.0));
     const four_mask v30 = (q1_ < low1) | (high1 < q1_);
-    const four v31 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
+    const four v31 = v29 + pick_four(v29 < low3, all_four(whole_turn), all_four(0.0));
     const four_mask v32 = (v31 < low3) | (high3 < v31);
-    const four q3_p = pick_four(v32, q3_, v31);
+    const four q3_p = pick_four(v32, v29, v31);
     const four q1_p = q1_ + (w3 - w3);
     const four_mask v33 = v32 | (v30 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = v33 | ((q5_p < low5) | (high5 < q5_p));
     const four_mask outside_m = v33 | ((q5_m < low5) | (high5 < q5_m));
-    const four_mask v34 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((w2 <= free_limit_squared2) | (w4 <= free_limit)) | v34;
 
     if (!(irregularity_double(T) <= 1e-24))
         return -1;
     if (bits_four(doubt))
         return -1;
     int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
     count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
