@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.knowledge import build_runs
 from dhgen.program.joints import JointVariables
+from dhgen.program.schedule import Option
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -47,6 +48,7 @@ class Angles:
         self._joints = JointVariables(algebra.chain, builder)
         self._angles: dict[AngleSum, Node] = {}
         self._free: dict[int, list[Node]] = {}
+        self._near: list[Option] = []
 
     def solved(self, angle: AngleSum, cosine: Node, sine: Node) -> None:
         """An angle sum became known by its cosine and sine."""
@@ -104,9 +106,19 @@ class Angles:
             if self._path(joint) is None:
                 self._free.setdefault(joint, []).append(flag)
 
-    def free_flags(self) -> list[tuple[int, Node]]:
-        """The joints that may have been chosen so far, with the truth values that say so."""
-        return [(joint, flag) for joint, flags in self._free.items() for flag in flags]
+    def nearly_chosen(self, joint: int, flag: Node, value: Node) -> None:
+        """A joint is so nearly free where the flag is true that its value is good to no digit."""
+        self._near.append(Option(joint, flag, value))
+
+    @property
+    def near(self) -> list[Node]:
+        """The truth values that say a joint is nearly free."""
+        return [option.flag for option in self._near]
+
+    def options(self) -> list[Option]:
+        """The joints that may have been chosen so far; what is free comes last, and decides."""
+        free = [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
+        return [*self._near, *free]
 
     def free_joints(self) -> list[tuple[int, Node]]:
         """For every joint that may have been chosen, the truth value that says so."""

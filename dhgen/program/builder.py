@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from dhgen.program.graph import Node
     from dhgen.program.ir import Failure, Operator, Program
+    from dhgen.program.schedule import Option
 
 
 class Builder(Graph):
@@ -163,7 +164,7 @@ class Builder(Graph):
         condition: Node,
         failure: Failure,
         margin: Node | None = None,
-        chosen: Iterable[tuple[int, Node]] = (),
+        chosen: Iterable[Option] = (),
     ) -> None:
         """Ends the branches on which the condition is false.
 
@@ -171,12 +172,12 @@ class Builder(Graph):
             condition: What must hold.
             failure: Why it may not.
             margin: What must not be negative, if that is the condition.
-            chosen: Joints that may have been chosen freely, with the truth value that says so;
-                those whose choice has no influence on the margin are left out.
+            chosen: Joints that may have been chosen; those whose choice has no influence on the
+                margin are left out.
         """
         leaves = set() if margin is None else self.leaves(margin)
-        flags = (flag for joint, flag in chosen if Joint(joint, "seed") in leaves)
-        unique = tuple(dict.fromkeys(flags))
+        options = (option for option in chosen if Joint(option.joint, "seed") in leaves)
+        unique = tuple(dict.fromkeys(options))
         self._marks.append(
             Mark(
                 len(self.entries),
@@ -196,13 +197,19 @@ class Builder(Graph):
         self._marks.append(mark)
         return self.root(wanted, meaning, step, tuple(inner))
 
-    def finish(self, name: str, results: dict[str, Node], free: list[tuple[int, Node]]) -> Program:
+    def finish(
+        self,
+        name: str,
+        results: dict[str, Node],
+        free: list[tuple[int, Node]],
+        near: Iterable[Node] = (),
+    ) -> Program:
         """The program with these results, by the names they get if they have none."""
         named = [self.name(node, wanted) for wanted, node in results.items()]
         for number, node in free:
             self._names.setdefault(node, self.unique(f"free{number}"))
         names = Names(self._names, self._hints, self._folded)
-        return scheduled(self, name, self._marks, names, named, free)
+        return scheduled(self, name, self._marks, names, named, free, tuple(near))
 
     # the inside
 

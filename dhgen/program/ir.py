@@ -140,6 +140,22 @@ class Failure(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class Choice:
+    """A joint whose value another one could replace, so that a guard might pass.
+
+    Attributes:
+        joint: Its number.
+        flag: Name of the truth value that says so.
+        value: Where the joint is nearly free, the value that it has; None where it is free and has
+            the seed's.
+    """
+
+    joint: int
+    flag: str
+    value: Expression | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Guard:
     """Ends the branches on which the condition is false.
 
@@ -148,15 +164,14 @@ class Guard:
         axes: The signs it depends on.
         failure: Why.
         margin: For REACH, the value that must not be negative; else None.
-        chosen: Names of the truth values that say a joint was free before this guard, so that
-            another choice might pass.
+        chosen: Joints that were free, or nearly so, before this guard.
     """
 
     condition: Expression
     axes: tuple[int, ...]
     failure: Failure
     margin: Expression | None = None
-    chosen: tuple[str, ...] = ()
+    chosen: tuple[Choice, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,6 +268,7 @@ class Program:
         body: Statements; a name is used only after its `Let`.
         outputs: The results: each joint's value, or the entries of a matrix row by row.
         free: The truth value that says a joint was chosen, by joint number; 0 for any of them.
+        near: The truth values that say a joint was nearly free, where that matters to a guard.
     """
 
     name: str
@@ -261,6 +277,7 @@ class Program:
     body: tuple[Statement, ...]
     outputs: tuple[Expression, ...]
     free: tuple[tuple[int, str], ...]
+    near: tuple[str, ...] = ()
 
     @property
     def rows(self) -> int:

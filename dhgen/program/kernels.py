@@ -15,6 +15,7 @@ from dhgen.paul.step import Kind
 from dhgen.program.quartic import lower_circle
 from dhgen.program.roots import (
     finish,
+    finish_direction,
     is_short,
     is_short_square,
     keep_one,
@@ -88,8 +89,11 @@ def _lower_homogeneous(
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)
-    cosine = builder.neg(builder.mul(x, factor))
-    finish(context, angle, cosine, builder.mul(y, factor), free)
+    direction = builder.neg(builder.mul(x, factor)), builder.mul(y, factor)
+    if degree == 0 and len(angle.terms) == 1 and context.may_be_lost:
+        finish_direction(context, angle, direction, length, free)
+    else:
+        finish(context, angle, *direction, free)
     root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
     remember(context, step, angle, builder.integer(0), root)
 

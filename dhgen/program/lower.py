@@ -11,6 +11,7 @@ from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.branches import branch_words
 from dhgen.paul.problem import task_entries
+from dhgen.paul.step import Kind
 from dhgen.program.angles import Angles
 from dhgen.program.builder import Builder
 from dhgen.program.interpret import interpret
@@ -101,7 +102,8 @@ class Lowering:
             self._check()
         self.builder.heading("joint values")
         joints = {f"q{n}": self.angles.joint_value(n) for n in range(1, chain.dof + 1)}
-        return self.builder.finish(chain.name, joints, self.angles.free_joints())
+        free = self.angles.free_joints()
+        return self.builder.finish(chain.name, joints, free, self.angles.near)
 
     def new_sign(self) -> Node:
         """The sign of the step at hand."""
@@ -122,6 +124,14 @@ class Lowering:
     def lower(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial."""
         return self.polynomials.lower(polynomial)
+
+    @property
+    def may_be_lost(self) -> bool:
+        """Whether a later step may find a branch out of reach."""
+        return any(
+            step.roots > 1 and not (step.kind is Kind.ANGLE and not step.coefficient("Z"))
+            for step in self._derivation.steps[self.step_number :]
+        )
 
     @property
     def redundant(self) -> bool:

@@ -127,7 +127,7 @@ class _Regular:
 
     def _assume(self) -> None:
         """No joint is free, no two branches meet."""
-        for _, name in self._program.free:
+        for name in (*(name for _, name in self._program.free), *self._program.near):
             self._suppose(Variable(name), truth=False)
         for statement in self._program.body:
             if isinstance(statement, Guard) and statement.failure is Failure.MERGED:
@@ -153,6 +153,8 @@ class _Regular:
             case Heading(text, detail):
                 self._builder.heading(text, detail)
                 self._reached = None
+            case Let(name, expression) if self._foreseen(name, expression):
+                pass
             case Let(name, expression):
                 self._values[name] = value = self._value(expression)
                 if not (name[0] == "v" and name[1:].isdigit()):
@@ -164,6 +166,15 @@ class _Regular:
             case Guard(condition, failure=failure, margin=margin):
                 self._end(self._truth(condition), failure, margin)
                 self._reached = statement
+
+    def _foreseen(self, name: str, expression: Expression) -> bool:
+        """Whether a truth value follows from what is assumed of others; then it is assumed too."""
+        if name in self._assumed:
+            return False
+        known = self._decided(expression)
+        if known is not None:
+            self._assumed[name] = known
+        return known is not None
 
     def _meet(self, guard: Guard) -> None:
         """Branches that meet at a pose that is in reach are a doubt."""
@@ -253,6 +264,12 @@ class _Regular:
             case Apply("not", (inner,)):
                 known = self._decided(inner)
                 return None if known is None else not known
+            case Apply("and" | "or" as operator, parts):
+                decided = [self._decided(part) for part in parts]
+                ending = operator == "or"
+                if ending in decided:
+                    return ending
+                return None if None in decided else not ending
             case _:
                 return None
 

@@ -47,7 +47,7 @@ def signed_root(
         free: Whether the step fixes nothing, so that one root is enough.
     """
     builder = context.builder
-    builder.guard(inside, Failure.REACH, discriminant, context.angles.free_flags())
+    builder.guard(inside, Failure.REACH, discriminant, context.angles.options())
     builder.name(apart, f"apart{angle.suffix}")
     kept = builder.select(apart, discriminant, builder.integer(0))
     length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
@@ -90,6 +90,43 @@ def finish(
         cosine = builder.select(free, builder.apply("cos", seed), cosine)
         sine = builder.select(free, builder.apply("sin", seed), sine)
     context.angles.solved(angle, cosine, sine)
+
+
+def finish_direction(
+    context: Lowering, angle: AngleSum, direction: tuple[Node, Node], length: Node, free: Node
+) -> None:
+    """The angle of a vector that may be short, before a guard that depends on it.
+
+    The shorter the vector, the fewer digits of its direction are right, and an arm that is
+    stretched is then out of reach by the wrong ones. A seed that is the angle up to rounding of
+    the vector is as good as the angle itself, so it is taken; `choose_again` looks for one.
+    """
+    builder, scales = context.builder, context.scales
+    cosine, sine = direction
+    limit = scales.tolerance(scales.tolerances.near, 0, "near")
+    near = builder.name(builder.apply("at_most", length, limit), f"near{angle.suffix}")
+    seed = context.angles.seed(angle)
+    c, s = builder.apply("cos", seed), builder.apply("sin", seed)
+    across = builder.absolute(builder.sub(builder.mul(cosine, s), builder.mul(sine, c)))
+    along = builder.add(builder.mul(cosine, c), builder.mul(sine, s))
+    off = builder.select(near, builder.mul(across, length), builder.integer(1))
+    ahead = builder.select(near, along, builder.integer(-1))
+    rounding = scales.tolerance(scales.tolerances.free, 0, "free")
+    agrees = builder.apply(
+        "and",
+        builder.apply("at_most", off, rounding),
+        builder.apply("less", builder.integer(0), ahead),
+    )
+    same = builder.apply("and", near, agrees)
+    builder.name(off, f"off{angle.suffix}")
+    builder.name(ahead, f"ahead{angle.suffix}")
+    builder.name(same, f"same{angle.suffix}")
+    held = builder.name(builder.apply("or", free, same), f"held{angle.suffix}")
+    context.angles.chosen(angle, free)
+    cosine, sine = builder.select(held, c, cosine), builder.select(held, s, sine)
+    context.angles.solved(angle, cosine, sine)
+    ((joint, _),) = angle.terms
+    context.angles.nearly_chosen(joint, near, builder.apply("atan2", sine, cosine))
 
 
 def remember(context: Lowering, step: Step, angle: AngleSum, z: Node, root: Node) -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _NAMES = {
     "free": ("free_limit", "a length that fixes no angle"),
     "free_square": ("free_limit_squared", "square of a length that fixes no angle"),
+    "near": ("near_limit", "a length whose direction is good to few digits"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),

@@ -9,7 +9,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Failure, Guard, Heading, Joint, Let, Program, Roots, Variable
+from dhgen.program.ir import (
+    Apply,
+    Choice,
+    Failure,
+    Guard,
+    Heading,
+    Joint,
+    Let,
+    Program,
+    Roots,
+    Variable,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -18,6 +29,21 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Statement
 
 TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})
+
+
+@dataclass(frozen=True, slots=True)
+class Option:
+    """A joint that may have been chosen: the nodes of a `Choice`.
+
+    Attributes:
+        joint: Its number.
+        flag: The truth value that says so.
+        value: Where it is nearly free, its value; None where it has the seed's.
+    """
+
+    joint: int
+    flag: Node
+    value: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +59,7 @@ class Mark:
         condition: What must hold.
         margin: What must not be negative, if that is the condition.
         failure: Why it may not hold.
-        chosen: Truth values that say that a joint was free.
+        chosen: Joints that may have been chosen.
     """
 
     position: Node
@@ -44,7 +70,7 @@ class Mark:
     condition: Node = -1
     margin: Node | None = None
     failure: Failure = Failure.REACH
-    chosen: tuple[Node, ...] = ()
+    chosen: tuple[Option, ...] = ()
 
     @property
     def wanted(self) -> tuple[Node, ...]:
@@ -52,7 +78,9 @@ class Mark:
         if self.heading is not None or self.roots:
             return self.roots
         margin = () if self.margin is None else (self.margin,)
-        return (self.condition, *margin, *self.chosen)
+        flags = (option.flag for option in self.chosen)
+        values = (option.value for option in self.chosen if option.value is not None)
+        return (self.condition, *margin, *flags, *values)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +105,7 @@ def scheduled(
     names: Names,
     results: list[Node],
     free: list[tuple[int, Node]],
+    near: tuple[Node, ...] = (),
 ) -> Program:
     """The program of a graph.
 
@@ -87,8 +116,9 @@ def scheduled(
         names: What nodes are called.
         results: The outputs.
         free: The truth values that say a joint was chosen, by joint number.
+        near: Those that say one was nearly free.
     """
-    schedule = _Schedule(graph, marks, names, [*results, *(node for _, node in free)])
+    schedule = _Schedule(graph, marks, names, [*results, *(node for _, node in free), *near])
     body = tuple(schedule.statements())
     outputs = tuple(schedule.expression(node) for node in results)
     used = _names_in(body, outputs)
@@ -99,6 +129,7 @@ def scheduled(
         body=body,
         outputs=outputs,
         free=tuple((number, names.given[node]) for number, node in free),
+        near=tuple(names.given[node] for node in near),
     )
 
 
@@ -150,7 +181,12 @@ class _Schedule:
             coefficients = tuple(self.expression(node) for node in mark.roots)
             return Roots(mark.axis, coefficients, tuple(sorted(inner)))
         margin = None if mark.margin is None else self.expression(mark.margin)
-        chosen = tuple(self._names[node] for node in mark.chosen)
+        chosen = tuple(
+            Choice(
+                o.joint, self._names[o.flag], None if o.value is None else self.expression(o.value)
+            )
+            for o in mark.chosen
+        )
         axes = self._entries[mark.condition].axes
         return Guard(self.expression(mark.condition), axes, mark.failure, margin, chosen)
 
@@ -193,8 +229,8 @@ class _Schedule:
     def _name_shared(self) -> None:
         uses, wider = self._uses()
         for mark in self._marks:
-            for node in mark.chosen:
-                self._names.setdefault(node, self._graph.unique(f"chosen{node}"))
+            for option in mark.chosen:
+                self._names.setdefault(option.flag, self._graph.unique(f"chosen{option.flag}"))
         for node in sorted(self._live):
             entry = self._entries[node]
             if entry.operator in {None, "neg", "not"} or self._is_rare(entry):

@@ -17,6 +17,8 @@ class Tolerances:
         free: A vector that should fix an angle is no longer than this: the joint is free. Above
             rounding, which is larger than usual where the arm is nearly folded; a direction taken
             from a vector just longer is good to 1e-3 rad and its residual is still this small.
+        near: A unit vector's projection that should fix an angle and is no longer than this does so
+            with rounding errors of 1e-13 rad or more, which an arm that is stretched may not bear.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
@@ -36,6 +38,7 @@ class Tolerances:
     """
 
     free: float = 1e-12
+    near: float = 1e-3
     reach: float = 1e-13
     merge: float = 1e-14
     orthonormal: float = 1e-24

@@ -8,7 +8,7 @@ from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.scalar import output_texts, row_text
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import AllJoints, Axis, Program
+    from dhgen.program.ir import AllJoints, Axis, Choice, Program
     from dhgen.targets.nest import Loop
 
 _FUNCTIONS = {
@@ -76,17 +76,17 @@ class C:
         fits = len(head) == 1 and 4 * (depth + 1) + len(line) <= WIDTH
         return [line] if fits else [*head, f"    {jump}"]
 
-    def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
-        """Notes the joint that was chosen and by how much the branch then failed."""
-        lines = []
-        for number, name in flags:
-            lines += [
-                f"if ({name}) {{",
-                f"    status[{row}] = LOST + {number};",
-                f"    q[{row}][0] = {margin};",
-                "}",
-            ]
-        return lines
+    def lose(self, choice: Choice, row: str, margin: str, value: str | None) -> list[str]:
+        """Notes the joint, by how much the branch failed, and the joint's value if nearly free."""
+        kind = "LOST" if value is None else "NEARLY"
+        kept = [] if value is None else [f"    q[{row}][1] = {value};"]
+        return [
+            f"if ({choice.flag}) {{",
+            f"    status[{row}] = {kind} + {choice.joint};",
+            f"    q[{row}][0] = {margin};",
+            *kept,
+            "}",
+        ]
 
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
         """Fills an array with the roots of a polynomial."""

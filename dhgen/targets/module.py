@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 
 FAN = 64  # values of a free joint that are tried first
+LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
+MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 
 
@@ -137,6 +139,8 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "turn": repr(2.0 * math.pi),
         "fan": FAN,
         "half_fan": FAN // 2,
+        "least_move": LEAST_MOVE,
+        "most_move": MOST_MOVE,
         "halvings": HALVINGS,
     }
 

@@ -21,7 +21,7 @@ from dhgen.targets.nest import Loop, nest
 from dhgen.targets.walk import expressions
 
 if TYPE_CHECKING:
-    from dhgen.program.ir import Axis, Expression, Program
+    from dhgen.program.ir import Axis, Choice, Expression, Program
     from dhgen.targets.nest import Nested
 
 
@@ -40,8 +40,8 @@ class ScalarLanguage(Dialect, Protocol):
         """Ends this branch where the condition holds, after noting what was lost."""
         ...
 
-    def lose(self, flags: list[tuple[int, str]], row: str, margin: str) -> list[str]:
-        """Notes that a row was lost after a joint was chosen."""
+    def lose(self, choice: Choice, row: str, margin: str, value: str | None) -> list[str]:
+        """Notes that a row was lost after a joint was chosen, or had nearly this value."""
         ...
 
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
@@ -151,14 +151,11 @@ class _Printer:
         language = self._language
         losses: list[str] = []
         if guard.failure is Failure.REACH and guard.chosen and guard.margin is not None:
-            flags = [
-                (joint, name)
-                for joint, expression in self._program.free
-                for name in guard.chosen
-                if name in _flag_parts(self._program, expression)
-            ]
+            row = row_text(self._program, depth)
             margin = expression_text(guard.margin, language)
-            losses = language.lose(flags, row_text(self._program, depth), margin)
+            for choice in guard.chosen:
+                value = None if choice.value is None else expression_text(choice.value, language)
+                losses += language.lose(choice, row, margin, value)
         condition = expression_text(self._denied(guard.condition), language)
         return language.leave(condition, _REASONS[guard.failure], depth, losses)
 
@@ -173,23 +170,6 @@ class _Printer:
                 return Apply("less", (sign, zero))
             case _:
                 return Apply("not", (condition,))
-
-
-def _flag_parts(program: Program, flag: str) -> set[str]:
-    """The truth values that a joint's flag is made of."""
-    lets = {s.name: s.expression for s in program.body if isinstance(s, Let)}
-    parts: set[str] = set()
-    pending: list[Expression] = [Variable(flag)]
-    while pending:
-        expression = pending.pop()
-        if isinstance(expression, Variable):
-            parts.add(expression.name)
-            inner = lets.get(expression.name)
-            if isinstance(inner, Apply) and inner.operator == "or":
-                pending.append(inner)
-        elif isinstance(expression, Apply) and expression.operator == "or":
-            pending += expression.operands
-    return parts
 
 
 def _indented(lines: list[str], indent: str) -> list[str]:

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from dhgen.program.builder import Builder
 from dhgen.program.interpret import interpret
-from dhgen.program.ir import Apply, Failure, Integer, Let, Program, Variable
+from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Program, Variable
+from dhgen.program.schedule import Option
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -194,7 +195,8 @@ def test_guards_keep_only_choices_that_matter() -> None:
         for joint in (1, 2)
     ]
     inside = builder.apply("at_most", builder.integer(0), margin)
-    builder.guard(inside, Failure.REACH, margin, flags)
+    options = [Option(joint, flag) for joint, flag in flags]
+    builder.guard(inside, Failure.REACH, margin, options)
     program = builder.finish("t", {"q1": builder.pose(1, 1)}, flags)
     (guard,) = [s for s in program.body if type(s).__name__ == "Guard"]
-    assert guard.chosen == (dict(program.free)[2],)  # type: ignore[union-attr]
+    assert guard.chosen == (Choice(2, dict(program.free)[2]),)  # type: ignore[union-attr]
