@@ -732,7 +732,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 }
 #endif
 
-enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
 
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
@@ -770,10 +772,6 @@ static void solve(
     const double D3 = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
     if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-        if (free1) {
-            status[0] = LOST + 1;
-            q[0][0] = D3;
-        }
         if (free234) {
             status[0] = LOST + 2;
             q[0][0] = D3;
@@ -784,6 +782,10 @@ static void solve(
         }
         if (free234) {
             status[0] = LOST + 4;
+            q[0][0] = D3;
+        }
+        if (free1) {
+            status[0] = LOST + 1;
             q[0][0] = D3;
         }
         return; /* out of reach */
@@ -882,7 +884,7 @@ static double summit(struct search *lost, double low, double high)
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
  * what lies between two of them, bisection the end that is nearest to the seed. */
-static void choose_again(struct search *lost, double q[4], unsigned char *status)
+static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
     double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
@@ -907,6 +909,27 @@ static void choose_again(struct search *lost, double q[4], unsigned char *status
         if (!(fabs(outer) >= fabs(nearest)))
             nearest = outer;
     }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+ * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static double serving_digits(struct search *lost)
+{
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
+        if (attempt(lost, moved) == 0.0)
+            return moved;
+        if (attempt(lost, -moved) == 0.0)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, double q[4], unsigned char *status)
+{
+    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
     *status = KUKA_KR40PA_UNREACHABLE;
     if (isnan(nearest) || attempt(lost, nearest) != 0.0)
         nearest = NAN;
@@ -958,11 +981,13 @@ int kuka_kr40pa_ik(
     solve(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] >= LOST) {
-            struct search lost = { .T = pose, .joint = status[row] - LOST - 1, .row = row };
-            lost.start = seed[lost.joint];
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
             for (int i = 0; i < 4; i++)
                 lost.seed[i] = seed[i];
-            choose_again(&lost, q[row], &status[row]);
+            choose_again(&lost, nearly, q[row], &status[row]);
         }
         if (status[row] == KUKA_KR40PA_UNREACHABLE)
             continue;

@@ -13,14 +13,16 @@ static const double d3 = 1.0; /* joint offset 3 [m] */
 static const double a4 = 4.0; /* link length 5 [m] */
 static const double d6 = 2.0; /* joint offset 6 [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double near_limit = 0.001; /* a length whose direction is good to few digits */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 4.9e-23;
 static const double reach_slack1 = 7e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 7e-14; /* nearer to that boundary two branches are one [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-24; /* free_limit^2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double m2 = 1e-06; /* near_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const olson_pprrrr_branches[4] = {
     "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
@@ -430,20 +432,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide v21 = angle1_ - angle1____;
     const wide v22 = angle1_ + angle1_____;
     const wide v23 = angle1_ + angle1______;
-    const wide q4_pp = v20 - pick_wide(half_turn < v20, all_wide(m3), all_wide(0.0)) + pick_wide(v20
-        <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_pm = v21 - pick_wide(half_turn < v21, all_wide(m3), all_wide(0.0)) + pick_wide(v21
-        <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_mp = pick_wide(-v22 <= -half_turn, all_wide(m3), all_wide(0.0)) - (v22 +
-        pick_wide(half_turn < -v22, all_wide(m3), all_wide(0.0)));
-    const wide q4_mm = pick_wide(-v23 <= -half_turn, all_wide(m3), all_wide(0.0)) - (v23 +
-        pick_wide(half_turn < -v23, all_wide(m3), all_wide(0.0)));
+    const wide q4_pp = v20 - pick_wide(half_turn < v20, all_wide(m4), all_wide(0.0)) + pick_wide(v20
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_pm = v21 - pick_wide(half_turn < v21, all_wide(m4), all_wide(0.0)) + pick_wide(v21
+        <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_mp = pick_wide(-v22 <= -half_turn, all_wide(m4), all_wide(0.0)) - (v22 +
+        pick_wide(half_turn < -v22, all_wide(m4), all_wide(0.0)));
+    const wide q4_mm = pick_wide(-v23 <= -half_turn, all_wide(m4), all_wide(0.0)) - (v23 +
+        pick_wide(half_turn < -v23, all_wide(m4), all_wide(0.0)));
     const wide q3_pp = angle1 + v5;
     const wide q3_mp = v5 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
     const wide q6_pp = angle1__ + v5;
     const wide q6_mp = v5 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_6));
     const wide_mask doubt = ((-(reach_slack1 * (reach_slack1 + v4)) <= D5) & (free5 | ((merge_slack1
-        * (merge_slack1 + v4) < D5) == 0))) | (free5 | (v1 <= m1));
+        * (merge_slack1 + v4) < D5) == 0))) | (free5 | ((v1 <= m1) | (v1 <= m2)));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -541,7 +543,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m2 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -559,7 +561,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double c3 = T23 * factor3;
     const double v2 = T13 * factor3;
     const double v3 = copysign(half_turn, -T13);
-    const four v4 = m2 * (e1 - 1.0);
+    const four v4 = m3 * (e1 - 1.0);
 
     /* theta6 */
     const double Z1_6 = c3 * T12 - v2 * T22;
@@ -599,7 +601,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* joint values */
     const int doubt = ((-(reach_slack1 * (reach_slack1 + v7)) <= D5) & (free5 | ((merge_slack1 *
-        (merge_slack1 + v7) < D5) == 0))) | (free5 | (v1 <= m1));
+        (merge_slack1 + v7) < D5) == 0))) | (free5 | ((v1 <= m1) | (v1 <= m2)));
 
     const four angle1___ = atan2_four(v16, -v14);
     const four packed2 = atan2_four((four){ -T13, -w3, -Z2_6, -T13 }, (four){ T23, -T33, -Z1_6, T23
@@ -609,8 +611,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four v20 = e1 * angle1_;
     const four v21 = v20 - angle1___;
-    const four q4 = v21 - pick_four(half_turn < v21, all_four(m3), all_four(0.0)) + pick_four(v21 <=
-        -half_turn, all_four(m3), all_four(0.0));
+    const four q4 = v21 - pick_four(half_turn < v21, all_four(m4), all_four(0.0)) + pick_four(v21 <=
+        -half_turn, all_four(m4), all_four(0.0));
     const four q3 = v8 + (angle1 + v3 * v4);
     const four q6 = v8 + (angle1__ + v4 * v5);
 
@@ -715,7 +717,9 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 }
 #endif
 
-enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
 
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
@@ -730,15 +734,16 @@ static void solve(
     const double w3 = sqrt(T23 * T23 + T13 * T13);
     const int free3 = w3 <= free_limit;
     const double divisor3 = free3 ? 1.0 : w3;
+    const int near3 = w3 <= near_limit;
 
     /* theta5, type 2: U0 (A5 A6)^-1 [3, 4] */
     const double X5 = T33 * a4;
-    const double v1 = T33 * d6 + (d3 - T34);
-    const double v2 = X5 * X5;
-    const double v3 = v1 * v1;
-    const double v4 = 2.0 * fabs(v1);
-    const double v5 = merge_slack1 * (v4 + merge_slack1);
-    const double v6 = X5 * v1;
+    const double v3 = T33 * d6 + (d3 - T34);
+    const double v4 = X5 * X5;
+    const double v5 = v3 * v3;
+    const double v6 = 2.0 * fabs(v3);
+    const double v7 = merge_slack1 * (v6 + merge_slack1);
+    const double v8 = X5 * v3;
 
     /* r2, type 1: U0 A6^-1 [1, 4] */
     const double wx = T14 - T13 * d6;
@@ -751,8 +756,14 @@ static void solve(
         /* theta3 */
         if (e1 < 0.0 && free3) continue; /* both signs give the same */
         const double factor3 = e1 / divisor3;
-        const double c3 = free3 ? cos(seed[2]) : T23 * factor3;
-        const double s3 = free3 ? sin(seed[2]) : -(T13 * factor3);
+        const double v1 = T23 * factor3;
+        const double v2 = T13 * factor3;
+        const double off3 = near3 ? w3 * fabs(v1 * sin(seed[2]) + v2 * cos(seed[2])) : 1.0;
+        const double ahead3 = near3 ? v1 * cos(seed[2]) - v2 * sin(seed[2]) : -1.0;
+        const int same3 = near3 && (off3 <= free_limit && 0.0 < ahead3);
+        const int held3 = free3 || same3;
+        const double c3 = held3 ? cos(seed[2]) : v1;
+        const double s3 = held3 ? sin(seed[2]) : -v2;
         const double q3 = atan2(s3, c3);
         const double root3 = w3 * e1;
 
@@ -766,11 +777,16 @@ static void solve(
 
         /* theta5 */
         const double Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6);
-        const double N5 = v2 + Y5 * Y5;
-        const double D5 = N5 - v3;
+        const double N5 = v4 + Y5 * Y5;
+        const double D5 = N5 - v5;
         const int free5 = N5 <= free_limit_squared2;
-        const int apart5 = v5 < D5;
-        if (!(-(reach_slack1 * (v4 + reach_slack1)) <= D5)) {
+        const int apart5 = v7 < D5;
+        if (!(-(reach_slack1 * (v6 + reach_slack1)) <= D5)) {
+            if (near3) {
+                status[2 * i1] = NEARLY + 3;
+                q[2 * i1][0] = D5;
+                q[2 * i1][1] = q3;
+            }
             if (free3) {
                 status[2 * i1] = LOST + 3;
                 q[2 * i1][0] = D5;
@@ -779,29 +795,29 @@ static void solve(
         }
         const double w5 = sqrt(apart5 ? D5 : 0.0);
         const double inverse5 = 1.0 / (free5 ? 1.0 : N5);
-        const double v7 = Y5 * v1;
+        const double v9 = Y5 * v3;
 
         /* r2 */
-        const double v9 = s3 * a4;
+        const double v11 = s3 * a4;
 
         /* r1 */
-        const double v10 = c3 * a4;
+        const double v12 = c3 * a4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
             if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
             const double root5 = w5 * e2;
-            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v7 + X5 * root5));
-            const double s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v6);
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v9 + X5 * root5));
+            const double s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v8);
             const double q5 = atan2(s5, c5);
 
             /* r2 */
-            const double v8 = T33 * c5 + root3 * s5;
-            const double r2 = wx + v8 * v9;
+            const double v10 = T33 * c5 + root3 * s5;
+            const double r2 = wx + v10 * v11;
 
             /* r1 */
-            const double r1 = wy - v8 * v10;
+            const double r1 = wy - v10 * v12;
 
             /* joint values */
             const double q4 = wrap(theta45 - q5);
@@ -856,7 +872,7 @@ static double summit(struct search *lost, double low, double high)
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
  * what lies between two of them, bisection the end that is nearest to the seed. */
-static void choose_again(struct search *lost, double q[6], unsigned char *status)
+static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
     double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
@@ -881,6 +897,27 @@ static void choose_again(struct search *lost, double q[6], unsigned char *status
         if (!(fabs(outer) >= fabs(nearest)))
             nearest = outer;
     }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+ * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static double serving_digits(struct search *lost)
+{
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
+        if (attempt(lost, moved) == 0.0)
+            return moved;
+        if (attempt(lost, -moved) == 0.0)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+{
+    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
     *status = OLSON_PPRRRR_UNREACHABLE;
     if (isnan(nearest) || attempt(lost, nearest) != 0.0)
         nearest = NAN;
@@ -934,11 +971,13 @@ int olson_pprrrr_ik(
     solve(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] >= LOST) {
-            struct search lost = { .T = pose, .joint = status[row] - LOST - 1, .row = row };
-            lost.start = seed[lost.joint];
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
             for (int i = 0; i < 6; i++)
                 lost.seed[i] = seed[i];
-            choose_again(&lost, q[row], &status[row]);
+            choose_again(&lost, nearly, q[row], &status[row]);
         }
         if (status[row] == OLSON_PPRRRR_UNREACHABLE)
             continue;

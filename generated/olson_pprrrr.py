@@ -55,6 +55,7 @@ d3 = 1.0  # joint offset 3 [m]
 a4 = 4.0  # link length 5 [m]
 d6 = 2.0  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
+near_limit = 0.001  # a length whose direction is good to few digits
 free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
 reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
@@ -207,6 +208,7 @@ def jacobian(q):
 
 
 _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
 @_jit
@@ -221,15 +223,16 @@ def _solve(pose, seed, q, status):
     w3 = math.sqrt(T23 * T23 + T13 * T13)
     free3 = w3 <= free_limit
     divisor3 = 1.0 if free3 else w3
+    near3 = w3 <= near_limit
 
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = T33 * a4
-    v1 = T33 * d6 + (d3 - T34)
-    v2 = X5 * X5
-    v3 = v1 * v1
-    v4 = 2.0 * abs(v1)
-    v5 = merge_slack1 * (v4 + merge_slack1)
-    v6 = X5 * v1
+    v3 = T33 * d6 + (d3 - T34)
+    v4 = X5 * X5
+    v5 = v3 * v3
+    v6 = 2.0 * abs(v3)
+    v7 = merge_slack1 * (v6 + merge_slack1)
+    v8 = X5 * v3
 
     # r2, type 1: U0 A6^-1 [1, 4]
     wx = T14 - T13 * d6
@@ -243,8 +246,14 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free3:
             continue  # both signs give the same
         factor3 = e1 / divisor3
-        c3 = math.cos(seed[2]) if free3 else T23 * factor3
-        s3 = math.sin(seed[2]) if free3 else -(T13 * factor3)
+        v1 = T23 * factor3
+        v2 = T13 * factor3
+        off3 = w3 * abs(v1 * math.sin(seed[2]) + v2 * math.cos(seed[2])) if near3 else 1.0
+        ahead3 = v1 * math.cos(seed[2]) - v2 * math.sin(seed[2]) if near3 else -1.0
+        same3 = near3 and (off3 <= free_limit and 0.0 < ahead3)
+        held3 = free3 or same3
+        c3 = math.cos(seed[2]) if held3 else v1
+        s3 = math.sin(seed[2]) if held3 else -v2
         q3 = _atan2(s3, c3)
         root3 = w3 * e1
 
@@ -258,24 +267,28 @@ def _solve(pose, seed, q, status):
 
         # theta5
         Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6)
-        N5 = v2 + Y5 * Y5
-        D5 = N5 - v3
+        N5 = v4 + Y5 * Y5
+        D5 = N5 - v5
         free5 = N5 <= free_limit_squared2
-        apart5 = v5 < D5
-        if not (-(reach_slack1 * (v4 + reach_slack1)) <= D5):
+        apart5 = v7 < D5
+        if not (-(reach_slack1 * (v6 + reach_slack1)) <= D5):
+            if near3:
+                status[2 * i1] = _NEARLY + 3
+                q[2 * i1, 0] = D5
+                q[2 * i1, 1] = q3
             if free3:
                 status[2 * i1] = _LOST + 3
                 q[2 * i1, 0] = D5
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
         inverse5 = 1.0 / (1.0 if free5 else N5)
-        v7 = Y5 * v1
+        v9 = Y5 * v3
 
         # r2
-        v9 = s3 * a4
+        v11 = s3 * a4
 
         # r1
-        v10 = c3 * a4
+        v12 = c3 * a4
 
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
@@ -283,16 +296,16 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and (free5 or not apart5):
                 continue  # both signs give the same
             root5 = w5 * e2
-            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v7 + X5 * root5))
-            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v6)
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v9 + X5 * root5))
+            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v8)
             q5 = _atan2(s5, c5)
 
             # r2
-            v8 = T33 * c5 + root3 * s5
-            r2 = wx + v8 * v9
+            v10 = T33 * c5 + root3 * s5
+            r2 = wx + v10 * v11
 
             # r1
-            r1 = wy - v8 * v10
+            r1 = wy - v10 * v12
 
             # joint values
             q4 = _wrap(theta45 - q5)
@@ -432,14 +445,36 @@ def _serving(pose, seed, lost, q, status):
 
 
 @_jit
+def _serving_digits(pose, seed, lost, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
+    would take its own.
+    """
+    moved = 1e-15
+    while moved < 0.1:
+        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+            return moved
+        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+            return -moved
+        moved *= 2.0
+    return math.nan
+
+
+@_jit
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
     The joint takes the nearest value that serves.
     """
-    lost = row, status[row] - _LOST - 1
+    nearly = status[row] > _NEARLY
+    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
     seed, trial, result = given.copy(), q.copy(), status.copy()
-    moved = _serving(pose, seed, lost, trial, result)
+    if nearly:
+        seed[lost[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, lost, trial, result)
+    else:
+        moved = _serving(pose, seed, lost, trial, result)
     served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):

@@ -175,6 +175,7 @@ def jacobian(q):
 
 
 _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
 @_jit
@@ -393,14 +394,36 @@ def _serving(pose, seed, lost, q, status):
 
 
 @_jit
+def _serving_digits(pose, seed, lost, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
+    would take its own.
+    """
+    moved = 1e-15
+    while moved < 0.1:
+        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+            return moved
+        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+            return -moved
+        moved *= 2.0
+    return math.nan
+
+
+@_jit
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
     The joint takes the nearest value that serves.
     """
-    lost = row, status[row] - _LOST - 1
+    nearly = status[row] > _NEARLY
+    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
     seed, trial, result = given.copy(), q.copy(), status.copy()
-    moved = _serving(pose, seed, lost, trial, result)
+    if nearly:
+        seed[lost[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, lost, trial, result)
+    else:
+        moved = _serving(pose, seed, lost, trial, result)
     served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
     status[row] = result[row] if served else UNREACHABLE
     for i in range(3):

@@ -342,11 +342,10 @@ def _solve(pose, seed, q, status):
             factor6 = e2 / divisor6
             v3 = X6 * factor6
             v4 = Y6 * factor6
-            held6 = (
-                free6 or (w6 * abs(v3 * math.sin(seed[5]) + v4 * math.cos(seed[5])) if near6 else
-                1.0) <= free_limit and 0.0 < (v4 * math.sin(seed[5]) - v3 * math.cos(seed[5]) if
-                near6 else -1.0)
-            )
+            off6 = w6 * abs(v3 * math.sin(seed[5]) + v4 * math.cos(seed[5])) if near6 else 1.0
+            ahead6 = v4 * math.sin(seed[5]) - v3 * math.cos(seed[5]) if near6 else -1.0
+            same6 = near6 and (off6 <= free_limit and 0.0 < ahead6)
+            held6 = free6 or same6
             c6 = math.cos(seed[5]) if held6 else -v3
             s6 = math.sin(seed[5]) if held6 else v4
             q6 = _atan2(s6, c6)

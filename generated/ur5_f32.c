@@ -17,6 +17,7 @@ static const float d6 = 0.0823f; /* joint offset 6 [m] */
 /* square of a length that fixes no angle [m^2] */
 static const float free_limit_squared2 = 5.688311e-10f;
 static const float free_limit = 2e-05f; /* a length that fixes no angle */
+static const float near_limit = 0.001f; /* a length whose direction is good to few digits */
 static const float longest3 = 0.6678976f; /* square of the longest reach [m^2] */
 static const float shortest3 = 0.0010725625f; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
@@ -34,9 +35,10 @@ static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
 static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
 static const float m1 = 4e-10f; /* free_limit^2 */
-static const float m3 = 3.235688e-19f; /* free_limit_squared2^2 [m^4] */
-static const float m4 = 6.2831855f; /* 2 * half_turn */
-static const float h1 = 1.0f; /* 2 * m2 */
+static const float m2 = 1e-06f; /* near_limit^2 */
+static const float m4 = 3.235688e-19f; /* free_limit_squared2^2 [m^4] */
+static const float m5 = 6.2831855f; /* 2 * half_turn */
+static const float h1 = 1.0f; /* 2 * m3 */
 
 const char *const ur5_f32_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -462,22 +464,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v58 = angle1_______ - (angle1_________________ - angle1__________);
     const wide v59 = theta234_mm - (angle1___________ + angle1__________________);
     const wide v60 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v53 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v54 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v55 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v56 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v57 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v58 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v59 <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v60 <= -half_turn, all_wide(m4), all_wide(0.0f));
+    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v57 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v59 <= -half_turn, all_wide(m5), all_wide(0.0f));
+    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m5), all_wide(0.0f)) +
+        pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0f));
     const wide q1_ppp = angle1 + v33;
     const wide q1_pmp = angle1 + v34;
     const wide q1_mpp = angle1_ + v35;
@@ -490,18 +492,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_pmp = v34 + (angle1__ - copysign_wide(all_wide(half_turn), -v14) * h1);
     const wide q6_mpp = angle1___ + v35;
     const wide q6_mmp = v36 + (angle1___ - copysign_wide(all_wide(half_turn), -v15) * h1);
-    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m3) | ((S2_mmp * S2_mmp + C2_mmp *
-        C2_mmp <= m3) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m3) | ((S2_mpp * S2_mpp + C2_mpp *
-        C2_mpp <= m3) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m3) | ((S2_pmp * S2_pmp + C2_pmp *
-        C2_pmp <= m3) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m3) | ((S2_ppp * S2_ppp + C2_ppp *
-        C2_ppp <= m3) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
+    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4) | ((S2_mmp * S2_mmp + C2_mmp *
+        C2_mmp <= m4) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4) | ((S2_mpp * S2_mpp + C2_mpp *
+        C2_mpp <= m4) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4) | ((S2_pmp * S2_pmp + C2_pmp *
+        C2_pmp <= m4) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4) | ((S2_ppp * S2_ppp + C2_ppp *
+        C2_ppp <= m4) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
         (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
         N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
         longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
         N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
-        longest3_apart)) == 0)) | ((v17 <= m1) | ((v16 <= m1) | (free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0)))))))))))))))));
+        longest3_apart)) == 0)) | (((v17 <= m1) | (v17 <= m2)) | ((free1 | ((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0)))) | ((v16 <= m1) | (v16 <= m2)))))))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1____________;
@@ -576,7 +578,9 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
     return count;
 }
 
-enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
 
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
@@ -601,7 +605,7 @@ static void solve(
     const float v2 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const float v4 = T34 - d1;
+    const float v6 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
@@ -618,20 +622,27 @@ static void solve(
         const float w6 = sqrtf(X6 * X6 + Y6 * Y6);
         const int free6 = w6 <= free_limit;
         const float divisor6 = free6 ? 1.0f : w6;
+        const int near6 = w6 <= near_limit;
 
         /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
         const float c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const float v5 = T14 * c1 + T24 * s1;
+        const float v7 = T14 * c1 + T24 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const float e2 = i2 == 0 ? 1.0f : -1.0f;
             /* theta6 */
             if (e2 < 0.0f && free6) continue; /* both signs give the same */
             const float factor6 = e2 / divisor6;
-            const float c6 = free6 ? cosf(seed[5]) : -(X6 * factor6);
-            const float s6 = free6 ? sinf(seed[5]) : Y6 * factor6;
+            const float v3 = X6 * factor6;
+            const float v4 = Y6 * factor6;
+            const float off6 = near6 ? w6 * fabsf(v3 * sinf(seed[5]) + v4 * cosf(seed[5])) : 1.0f;
+            const float ahead6 = near6 ? v4 * sinf(seed[5]) - v3 * cosf(seed[5]) : -1.0f;
+            const int same6 = near6 && (off6 <= free_limit && 0.0f < ahead6);
+            const int held6 = free6 || same6;
+            const float c6 = held6 ? cosf(seed[5]) : -v3;
+            const float s6 = held6 ? sinf(seed[5]) : v4;
             const float q6 = atan2f(s6, c6);
             const float s5 = w6 * e2;
 
@@ -644,14 +655,19 @@ static void solve(
             const float theta234 = atan2f(s234, c234);
 
             /* theta3 */
-            const float v3 = d6 * s5;
-            const float Z1_3 = c234 * d5 + s234 * v3 + v4;
-            const float Z2_3 = c234 * v3 - s234 * d5 + v5;
+            const float v5 = d6 * s5;
+            const float Z1_3 = c234 * d5 + s234 * v5 + v6;
+            const float Z2_3 = c234 * v5 - s234 * d5 + v7;
             const float N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const float K3 = N3 - k4;
             const float D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+                if (near6) {
+                    status[4 * i1 + 2 * i2] = NEARLY + 6;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                    q[4 * i1 + 2 * i2][1] = q6;
+                }
                 if (free1) {
                     status[4 * i1 + 2 * i2] = LOST + 1;
                     q[4 * i1 + 2 * i2][0] = D3;
@@ -667,8 +683,8 @@ static void solve(
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const float X1_2 = a2 + a3 * c3;
-            const float v6 = Z1_3 * X1_2;
-            const float v7 = Z2_3 * X1_2;
+            const float v8 = Z1_3 * X1_2;
+            const float v9 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const float e3 = i3 == 0 ? 1.0f : -1.0f;
@@ -679,8 +695,8 @@ static void solve(
 
                 /* theta2 */
                 const float Y1_2 = a3 * s3;
-                const float S2 = v6 - Z2_3 * Y1_2;
-                const float C2 = v7 + Z1_3 * Y1_2;
+                const float S2 = v8 - Z2_3 * Y1_2;
+                const float C2 = v9 + Z1_3 * Y1_2;
                 const float w2 = sqrtf(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const float factor2 = 1.0f / (free2 ? 1.0f : w2);
@@ -742,7 +758,7 @@ static float summit(struct search *lost, float low, float high)
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
  * what lies between two of them, bisection the end that is nearest to the seed. */
-static void choose_again(struct search *lost, float q[6], unsigned char *status)
+static float serving_value(struct search *lost)
 {
     const float step = turn / 64.0f;
     float nearest = NAN, before, here = -HUGE_VALF, after = attempt(lost, -turn / 2.0f);
@@ -767,6 +783,27 @@ static void choose_again(struct search *lost, float q[6], unsigned char *status)
         if (!(fabsf(outer) >= fabsf(nearest)))
             nearest = outer;
     }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+ * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static float serving_digits(struct search *lost)
+{
+    for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f) {
+        if (attempt(lost, moved) == 0.0f)
+            return moved;
+        if (attempt(lost, -moved) == 0.0f)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, float q[6], unsigned char *status)
+{
+    float nearest = nearly ? serving_digits(lost) : serving_value(lost);
     *status = UR5_F32_UNREACHABLE;
     if (isnan(nearest) || attempt(lost, nearest) != 0.0f)
         nearest = NAN;
@@ -817,11 +854,13 @@ int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned c
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] >= LOST) {
-            struct search lost = { .T = pose, .joint = status[row] - LOST - 1, .row = row };
-            lost.start = seed[lost.joint];
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
             for (int i = 0; i < 6; i++)
                 lost.seed[i] = seed[i];
-            choose_again(&lost, q[row], &status[row]);
+            choose_again(&lost, nearly, q[row], &status[row]);
         }
         if (status[row] == UR5_F32_UNREACHABLE)
             continue;

@@ -17,6 +17,7 @@ static const double d6 = 0.0996; /* joint offset 6 [m] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 1.7221312899999994e-24;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double near_limit = 0.001; /* a length whose direction is good to few digits */
 static const double longest3 = 0.6678158399999998; /* square of the longest reach [m^2] */
 static const double shortest3 = 0.0010758399999999998; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
@@ -34,9 +35,10 @@ static const double k4 = 0.33444584; /* a2^2 + a3^2 [m^2] */
 static const double k5 = 2.9996700362960076; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-24; /* free_limit^2 */
-static const double m3 = 2.965736179997062e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double m2 = 1e-06; /* near_limit^2 */
+static const double m4 = 2.965736179997062e-48; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const ur5e_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -591,22 +593,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v58 = angle1_______ - (angle1_________________ - angle1__________);
     const wide v59 = theta234_mm - (angle1___________ + angle1__________________);
     const wide v60 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v53 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v54 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v55 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v56 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v57 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v58 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v59 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m4), all_wide(0.0)) +
-        pick_wide(v60 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v57 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v59 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0));
     const wide q1_ppp = angle1 + v33;
     const wide q1_pmp = angle1 + v34;
     const wide q1_mpp = angle1_ + v35;
@@ -619,18 +621,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_pmp = v34 + (angle1__ - copysign_wide(all_wide(half_turn), -v14) * h1);
     const wide q6_mpp = angle1___ + v35;
     const wide q6_mmp = v36 + (angle1___ - copysign_wide(all_wide(half_turn), -v15) * h1);
-    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m3) | ((S2_mmp * S2_mmp + C2_mmp *
-        C2_mmp <= m3) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m3) | ((S2_mpp * S2_mpp + C2_mpp *
-        C2_mpp <= m3) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m3) | ((S2_pmp * S2_pmp + C2_pmp *
-        C2_pmp <= m3) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m3) | ((S2_ppp * S2_ppp + C2_ppp *
-        C2_ppp <= m3) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
+    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4) | ((S2_mmp * S2_mmp + C2_mmp *
+        C2_mmp <= m4) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4) | ((S2_mpp * S2_mpp + C2_mpp *
+        C2_mpp <= m4) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4) | ((S2_pmp * S2_pmp + C2_pmp *
+        C2_pmp <= m4) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4) | ((S2_ppp * S2_ppp + C2_ppp *
+        C2_ppp <= m4) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
         (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
         N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
         longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
         N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
-        longest3_apart)) == 0)) | ((v17 <= m1) | ((v16 <= m1) | (free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0)))))))))))))))));
+        longest3_apart)) == 0)) | (((v17 <= m1) | (v17 <= m2)) | ((free1 | ((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0)))) | ((v16 <= m1) | (v16 <= m2)))))))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1____________;
@@ -756,7 +758,7 @@ HELPER double irregularity_double(const double T[16])
         * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
-static const double m2 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -793,7 +795,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c6 = v8 * factor6;
     const four v11 = v9 * factor6;
     const four v12 = copysign_four(all_four(half_turn), -v9);
-    const four v13 = m2 * (e2 - 1.0);
+    const four v13 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v5;
@@ -832,8 +834,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v29 = (v10 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (S2_m * S2_m + C2_m * C2_m <= m3) | ((S2_p * S2_p + C2_p * C2_p <= m3) |
+    const four_mask v29 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v10 <= m1) | (v10 <= m2));
+    const four_mask doubt = (S2_m * S2_m + C2_m * C2_m <= m4) | ((S2_p * S2_p + C2_p * C2_p <= m4) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | v29));
 
@@ -851,10 +853,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four theta234 = angle1___ + v13 * v14;
     const four v27 = theta234 - (angle1____ + angle1_____);
     const four v28 = theta234 - (angle1______ - angle1____);
-    const four q4_p = v27 - pick_four(half_turn < v27, all_four(m4), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m4), all_four(0.0));
-    const four q4_m = v28 - pick_four(half_turn < v28, all_four(m4), all_four(0.0)) + pick_four(v28
-        <= -half_turn, all_four(m4), all_four(0.0));
+    const four q4_p = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four q4_m = v28 - pick_four(half_turn < v28, all_four(m5), all_four(0.0)) + pick_four(v28
+        <= -half_turn, all_four(m5), all_four(0.0));
     const four q1_p = angle1 + v22;
     const four q5_p = v22 + e2 * angle1__;
     const four q6_p = v22 + (angle1_ + v12 * v13);
@@ -968,7 +970,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 }
 #endif
 
-enum { LOST = 128 }; /* LOST + j: the row was lost after joint j had been chosen freely */
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
 
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
@@ -993,7 +997,7 @@ static void solve(
     const double v2 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v4 = T34 - d1;
+    const double v6 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -1010,20 +1014,27 @@ static void solve(
         const double w6 = sqrt(X6 * X6 + Y6 * Y6);
         const int free6 = w6 <= free_limit;
         const double divisor6 = free6 ? 1.0 : w6;
+        const int near6 = w6 <= near_limit;
 
         /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
         const double c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const double v5 = T14 * c1 + T24 * s1;
+        const double v7 = T14 * c1 + T24 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta6 */
             if (e2 < 0.0 && free6) continue; /* both signs give the same */
             const double factor6 = e2 / divisor6;
-            const double c6 = free6 ? cos(seed[5]) : -(X6 * factor6);
-            const double s6 = free6 ? sin(seed[5]) : Y6 * factor6;
+            const double v3 = X6 * factor6;
+            const double v4 = Y6 * factor6;
+            const double off6 = near6 ? w6 * fabs(v3 * sin(seed[5]) + v4 * cos(seed[5])) : 1.0;
+            const double ahead6 = near6 ? v4 * sin(seed[5]) - v3 * cos(seed[5]) : -1.0;
+            const int same6 = near6 && (off6 <= free_limit && 0.0 < ahead6);
+            const int held6 = free6 || same6;
+            const double c6 = held6 ? cos(seed[5]) : -v3;
+            const double s6 = held6 ? sin(seed[5]) : v4;
             const double q6 = atan2(s6, c6);
             const double s5 = w6 * e2;
 
@@ -1036,14 +1047,19 @@ static void solve(
             const double theta234 = atan2(s234, c234);
 
             /* theta3 */
-            const double v3 = d6 * s5;
-            const double Z1_3 = c234 * d5 + s234 * v3 + v4;
-            const double Z2_3 = c234 * v3 - s234 * d5 + v5;
+            const double v5 = d6 * s5;
+            const double Z1_3 = c234 * d5 + s234 * v5 + v6;
+            const double Z2_3 = c234 * v5 - s234 * d5 + v7;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const double K3 = N3 - k4;
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+                if (near6) {
+                    status[4 * i1 + 2 * i2] = NEARLY + 6;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                    q[4 * i1 + 2 * i2][1] = q6;
+                }
                 if (free1) {
                     status[4 * i1 + 2 * i2] = LOST + 1;
                     q[4 * i1 + 2 * i2][0] = D3;
@@ -1059,8 +1075,8 @@ static void solve(
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + a3 * c3;
-            const double v6 = Z1_3 * X1_2;
-            const double v7 = Z2_3 * X1_2;
+            const double v8 = Z1_3 * X1_2;
+            const double v9 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -1071,8 +1087,8 @@ static void solve(
 
                 /* theta2 */
                 const double Y1_2 = a3 * s3;
-                const double S2 = v6 - Z2_3 * Y1_2;
-                const double C2 = v7 + Z1_3 * Y1_2;
+                const double S2 = v8 - Z2_3 * Y1_2;
+                const double C2 = v9 + Z1_3 * Y1_2;
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -1134,7 +1150,7 @@ static double summit(struct search *lost, double low, double high)
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
  * what lies between two of them, bisection the end that is nearest to the seed. */
-static void choose_again(struct search *lost, double q[6], unsigned char *status)
+static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
     double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
@@ -1159,6 +1175,27 @@ static void choose_again(struct search *lost, double q[6], unsigned char *status
         if (!(fabs(outer) >= fabs(nearest)))
             nearest = outer;
     }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+ * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static double serving_digits(struct search *lost)
+{
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
+        if (attempt(lost, moved) == 0.0)
+            return moved;
+        if (attempt(lost, -moved) == 0.0)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+{
+    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
     *status = UR5E_UNREACHABLE;
     if (isnan(nearest) || attempt(lost, nearest) != 0.0)
         nearest = NAN;
@@ -1209,11 +1246,13 @@ int ur5e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
     solve(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] >= LOST) {
-            struct search lost = { .T = pose, .joint = status[row] - LOST - 1, .row = row };
-            lost.start = seed[lost.joint];
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
             for (int i = 0; i < 6; i++)
                 lost.seed[i] = seed[i];
-            choose_again(&lost, q[row], &status[row]);
+            choose_again(&lost, nearly, q[row], &status[row]);
         }
         if (status[row] == UR5E_UNREACHABLE)
             continue;

@@ -62,6 +62,7 @@ d5 = 0.0997  # joint offset 5 [m]
 d6 = 0.0996  # joint offset 6 [m]
 free_limit_squared2 = 1.7221312899999994e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
+near_limit = 0.001  # a length whose direction is good to few digits
 longest3 = 0.6678158399999998  # square of the longest reach [m^2]
 shortest3 = 0.0010758399999999998  # square of the shortest reach [m^2]
 longest3_reach = 0.6678158400002143  # the longest, with what rounding adds [m^2]
@@ -281,6 +282,7 @@ def jacobian(q):
 
 
 _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
 @_jit
@@ -306,7 +308,7 @@ def _solve(pose, seed, q, status):
     v2 = wy * d4
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v4 = T34 - d1
+    v6 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -324,12 +326,13 @@ def _solve(pose, seed, q, status):
         w6 = math.sqrt(X6 * X6 + Y6 * Y6)
         free6 = w6 <= free_limit
         divisor6 = 1.0 if free6 else w6
+        near6 = w6 <= near_limit
 
         # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
         c5 = T13 * s1 - T23 * c1
 
         # theta3
-        v5 = T14 * c1 + T24 * s1
+        v7 = T14 * c1 + T24 * s1
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -337,8 +340,14 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and free6:
                 continue  # both signs give the same
             factor6 = e2 / divisor6
-            c6 = math.cos(seed[5]) if free6 else -(X6 * factor6)
-            s6 = math.sin(seed[5]) if free6 else Y6 * factor6
+            v3 = X6 * factor6
+            v4 = Y6 * factor6
+            off6 = w6 * abs(v3 * math.sin(seed[5]) + v4 * math.cos(seed[5])) if near6 else 1.0
+            ahead6 = v4 * math.sin(seed[5]) - v3 * math.cos(seed[5]) if near6 else -1.0
+            same6 = near6 and (off6 <= free_limit and 0.0 < ahead6)
+            held6 = free6 or same6
+            c6 = math.cos(seed[5]) if held6 else -v3
+            s6 = math.sin(seed[5]) if held6 else v4
             q6 = _atan2(s6, c6)
             s5 = w6 * e2
 
@@ -351,14 +360,18 @@ def _solve(pose, seed, q, status):
             theta234 = _atan2(s234, c234)
 
             # theta3
-            v3 = d6 * s5
-            Z1_3 = c234 * d5 + s234 * v3 + v4
-            Z2_3 = c234 * v3 - s234 * d5 + v5
+            v5 = d6 * s5
+            Z1_3 = c234 * d5 + s234 * v5 + v6
+            Z2_3 = c234 * v5 - s234 * d5 + v7
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k4
             D3 = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
             if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+                if near6:
+                    status[4 * i1 + 2 * i2] = _NEARLY + 6
+                    q[4 * i1 + 2 * i2, 0] = D3
+                    q[4 * i1 + 2 * i2, 1] = q6
                 if free1:
                     status[4 * i1 + 2 * i2] = _LOST + 1
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -371,8 +384,8 @@ def _solve(pose, seed, q, status):
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
             X1_2 = a2 + a3 * c3
-            v6 = Z1_3 * X1_2
-            v7 = Z2_3 * X1_2
+            v8 = Z1_3 * X1_2
+            v9 = Z2_3 * X1_2
 
             for i3 in range(2):  # down, up
                 e3 = 1.0 - 2.0 * i3
@@ -384,8 +397,8 @@ def _solve(pose, seed, q, status):
 
                 # theta2
                 Y1_2 = a3 * s3
-                S2 = v6 - Z2_3 * Y1_2
-                C2 = v7 + Z1_3 * Y1_2
+                S2 = v8 - Z2_3 * Y1_2
+                C2 = v9 + Z1_3 * Y1_2
                 w2 = math.sqrt(S2 * S2 + C2 * C2)
                 free2 = w2 <= free_limit_squared2
                 factor2 = 1.0 / (1.0 if free2 else w2)
@@ -529,14 +542,36 @@ def _serving(pose, seed, lost, q, status):
 
 
 @_jit
+def _serving_digits(pose, seed, lost, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
+    would take its own.
+    """
+    moved = 1e-15
+    while moved < 0.1:
+        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+            return moved
+        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+            return -moved
+        moved *= 2.0
+    return math.nan
+
+
+@_jit
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
     The joint takes the nearest value that serves.
     """
-    lost = row, status[row] - _LOST - 1
+    nearly = status[row] > _NEARLY
+    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
     seed, trial, result = given.copy(), q.copy(), status.copy()
-    moved = _serving(pose, seed, lost, trial, result)
+    if nearly:
+        seed[lost[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, lost, trial, result)
+    else:
+        moved = _serving(pose, seed, lost, trial, result)
     served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
