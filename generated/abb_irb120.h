@@ -55,7 +55,8 @@ int abb_irb120_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns ABB_IRB120_OK or ABB_IRB120_FREE_JOINT, or, with NaN in q,
- * minus ABB_IRB120_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus ABB_IRB120_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int abb_irb120_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* abb_irb120_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned 
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns ADEPT_OK or ADEPT_FREE_JOINT, or, with NaN in q,
- * minus ADEPT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus ADEPT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* adept_ik without a seed for n poses: T holds n x 16 numbers,

@@ -160,7 +160,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DADEPT_COBRA600_SCALAR. With -DADEPT_COBRA600_LIBM the arctangents are those of <math.h>, too. */
+ * -DADEPT_COBRA600_SCALAR. With -DADEPT_COBRA600_LIBM the arctangents are those of <math.h>, too.
+ * */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(ADEPT_COBRA600_SCALAR) && !defined(ADEPT_COBRA600_LIBM)
 #include <immintrin.h>
@@ -204,7 +205,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -258,7 +259,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -293,7 +294,7 @@ typedef int wide_mask;
 #ifdef ADEPT_COBRA600_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -819,6 +820,9 @@ int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double
     int result = -ADEPT_COBRA600_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(q_seed[i]))
+            return -ADEPT_COBRA600_INVALID_POSE;
     if (adept_cobra600_ik(T, q_seed, all, status) < 0)
         return -ADEPT_COBRA600_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

@@ -55,7 +55,8 @@ int adept_cobra600_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns ADEPT_COBRA600_OK or ADEPT_COBRA600_FREE_JOINT, or, with NaN in q,
- * minus ADEPT_COBRA600_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus ADEPT_COBRA600_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* adept_cobra600_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns ARM_3R_OK or ARM_3R_FREE_JOINT, or, with NaN in q,
- * minus ARM_3R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus ARM_3R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int arm_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* arm_3r_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int comau_ns16_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns COMAU_NS16_OK or COMAU_NS16_FREE_JOINT, or, with NaN in q,
- * minus COMAU_NS16_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus COMAU_NS16_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* comau_ns16_ik without a seed for n poses: T holds n x 16 numbers,

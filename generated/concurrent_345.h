@@ -55,7 +55,8 @@ int concurrent_345_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns CONCURRENT_345_OK or CONCURRENT_345_FREE_JOINT, or, with NaN in q,
- * minus CONCURRENT_345_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus CONCURRENT_345_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int concurrent_345_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* concurrent_345_ik without a seed for n poses: T holds n x 16 numbers,

@@ -54,7 +54,8 @@ int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsig
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns CRAIG_417_OK or CRAIG_417_FREE_JOINT, or, with NaN in q,
- * minus CRAIG_417_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus CRAIG_417_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* craig_417_ik without a seed for n poses: T holds n x 16 numbers,

@@ -37,7 +37,8 @@ static double bracketed(const double p[5], double low, double high, double at_lo
 }
 
 /* Roots of a polynomial that is monotone between neighbouring edges. */
-static int between(const double p[5], const double *edges, int count, double tolerance, double *found)
+static int between(const double p[5], const double *edges, int count, double tolerance, double
+    *found)
 {
     int roots = 0;
     double before = edges[0], at_before = horner(p, edges[0]);
@@ -57,8 +58,10 @@ static int between(const double p[5], const double *edges, int count, double tol
 }
 
 /* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
- * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large leading
- * coefficient; its roots lie between those of its derivative, those between the roots of the second. */
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+ * leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the
+ * second. */
 static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
@@ -314,6 +317,9 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
     int result = -CUSPIDAL_3R_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -CUSPIDAL_3R_INVALID_POSE;
     if (cuspidal_3r_ik(T, q_seed, all, status) < 0)
         return -CUSPIDAL_3R_INVALID_POSE;
     for (int row = 0; row < 4; row++) {

@@ -55,7 +55,9 @@ int cylindrical_wrist_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns CYLINDRICAL_WRIST_OK or CYLINDRICAL_WRIST_FREE_JOINT, or, with NaN in q,
- * minus CYLINDRICAL_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus CYLINDRICAL_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
+ * seed
+ * that is not finite. */
 int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* cylindrical_wrist_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int denso_vs060_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns DENSO_VS060_OK or DENSO_VS060_FREE_JOINT, or, with NaN in q,
- * minus DENSO_VS060_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus DENSO_VS060_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int denso_vs060_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* denso_vs060_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int doosan_m1013_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns DOOSAN_M1013_OK or DOOSAN_M1013_FREE_JOINT, or, with NaN in q,
- * minus DOOSAN_M1013_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus DOOSAN_M1013_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* doosan_m1013_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsign
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns EPSON_T3_OK or EPSON_T3_FREE_JOINT, or, with NaN in q,
- * minus EPSON_T3_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus EPSON_T3_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int epson_t3_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* epson_t3_ik without a seed for n poses: T holds n x 16 numbers,

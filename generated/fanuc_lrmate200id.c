@@ -260,7 +260,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DFANUC_LRMATE200ID_SCALAR. With -DFANUC_LRMATE200ID_LIBM the arctangents are those of <math.h>, too. */
+ * -DFANUC_LRMATE200ID_SCALAR. With -DFANUC_LRMATE200ID_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(FANUC_LRMATE200ID_SCALAR) && !defined(FANUC_LRMATE200ID_LIBM)
 #include <immintrin.h>
@@ -304,7 +305,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -358,7 +359,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -393,7 +394,7 @@ typedef int wide_mask;
 #ifdef FANUC_LRMATE200ID_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -439,10 +440,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & FANUC_LRMATE200ID_UNREACHABLE) | (~(none) & (outside) & FANUC_LRMATE200ID_OUT_OF_LIMITS))
+    (((none) & FANUC_LRMATE200ID_UNREACHABLE) | (~(none) & (outside) &
+        FANUC_LRMATE200ID_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS : 0)
+    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS
+        : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -1165,6 +1168,9 @@ int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], dou
     int result = -FANUC_LRMATE200ID_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -FANUC_LRMATE200ID_INVALID_POSE;
     if (fanuc_lrmate200id_ik(T, q_seed, all, status) < 0)
         return -FANUC_LRMATE200ID_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

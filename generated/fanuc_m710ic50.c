@@ -254,7 +254,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DFANUC_M710IC50_SCALAR. With -DFANUC_M710IC50_LIBM the arctangents are those of <math.h>, too. */
+ * -DFANUC_M710IC50_SCALAR. With -DFANUC_M710IC50_LIBM the arctangents are those of <math.h>, too.
+ * */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(FANUC_M710IC50_SCALAR) && !defined(FANUC_M710IC50_LIBM)
 #include <immintrin.h>
@@ -298,7 +299,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -352,7 +353,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -387,7 +388,7 @@ typedef int wide_mask;
 #ifdef FANUC_M710IC50_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1159,6 +1160,9 @@ int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double
     int result = -FANUC_M710IC50_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -FANUC_M710IC50_INVALID_POSE;
     if (fanuc_m710ic50_ik(T, q_seed, all, status) < 0)
         return -FANUC_M710IC50_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

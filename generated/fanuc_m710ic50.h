@@ -55,7 +55,8 @@ int fanuc_m710ic50_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns FANUC_M710IC50_OK or FANUC_M710IC50_FREE_JOINT, or, with NaN in q,
- * minus FANUC_M710IC50_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus FANUC_M710IC50_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* fanuc_m710ic50_ik without a seed for n poses: T holds n x 16 numbers,

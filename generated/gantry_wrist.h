@@ -55,7 +55,8 @@ int gantry_wrist_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns GANTRY_WRIST_OK or GANTRY_WRIST_FREE_JOINT, or, with NaN in q,
- * minus GANTRY_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus GANTRY_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* gantry_wrist_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int igus_rebel_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns IGUS_REBEL_OK or IGUS_REBEL_FREE_JOINT, or, with NaN in q,
- * minus IGUS_REBEL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus IGUS_REBEL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int igus_rebel_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* igus_rebel_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int katana_400_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KATANA_400_OK or KATANA_400_FREE_JOINT, or, with NaN in q,
- * minus KATANA_400_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KATANA_400_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* katana_400_ik without a seed for n poses: T holds n x 16 numbers,

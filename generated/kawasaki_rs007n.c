@@ -261,7 +261,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>, too. */
+ * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>, too.
+ * */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(KAWASAKI_RS007N_SCALAR) && !defined(KAWASAKI_RS007N_LIBM)
 #include <immintrin.h>
@@ -305,7 +306,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -359,7 +360,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -394,7 +395,7 @@ typedef int wide_mask;
 #ifdef KAWASAKI_RS007N_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1163,6 +1164,9 @@ int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], doubl
     int result = -KAWASAKI_RS007N_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -KAWASAKI_RS007N_INVALID_POSE;
     if (kawasaki_rs007n_ik(T, q_seed, all, status) < 0)
         return -KAWASAKI_RS007N_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

@@ -55,7 +55,8 @@ int kawasaki_rs007n_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KAWASAKI_RS007N_OK or KAWASAKI_RS007N_FREE_JOINT, or, with NaN in q,
- * minus KAWASAKI_RS007N_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KAWASAKI_RS007N_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* kawasaki_rs007n_ik without a seed for n poses: T holds n x 16 numbers,

@@ -264,7 +264,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too. */
+ * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too.
+ * */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(KINOVA_J2S6S300_SCALAR) && !defined(KINOVA_J2S6S300_LIBM)
 #include <immintrin.h>
@@ -308,7 +309,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -362,7 +363,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -397,7 +398,7 @@ typedef int wide_mask;
 #ifdef KINOVA_J2S6S300_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1221,6 +1222,9 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
     int result = -KINOVA_J2S6S300_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -KINOVA_J2S6S300_INVALID_POSE;
     if (kinova_j2s6s300_ik(T, q_seed, all, status) < 0)
         return -KINOVA_J2S6S300_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

@@ -338,7 +338,7 @@ HELPER four sin_four(four x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -406,7 +406,7 @@ HELPER wide sin_wide(wide x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -443,7 +443,7 @@ typedef int wide_mask;
 #ifdef KUKA_IIWA14_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1442,6 +1442,9 @@ int kuka_iiwa14_ik_nearest(
     int result = -KUKA_IIWA14_UNREACHABLE;
     for (int i = 0; i < 7; i++)
         q[i] = NAN;
+    for (int i = 0; i < 7; i++)
+        if (!isfinite(q_seed[i]))
+            return -KUKA_IIWA14_INVALID_POSE;
     if (kuka_iiwa14_ik(T, free_joints, q_seed, all, status) < 0)
         return -KUKA_IIWA14_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

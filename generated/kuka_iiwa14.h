@@ -57,7 +57,8 @@ int kuka_iiwa14_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KUKA_IIWA14_OK or KUKA_IIWA14_FREE_JOINT, or, with NaN in q,
- * minus KUKA_IIWA14_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KUKA_IIWA14_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kuka_iiwa14_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
 

@@ -55,7 +55,8 @@ int kuka_kr210_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KUKA_KR210_OK or KUKA_KR210_FREE_JOINT, or, with NaN in q,
- * minus KUKA_KR210_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KUKA_KR210_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kuka_kr210_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* kuka_kr210_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int kuka_kr40pa_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KUKA_KR40PA_OK or KUKA_KR40PA_FREE_JOINT, or, with NaN in q,
- * minus KUKA_KR40PA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KUKA_KR40PA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* kuka_kr40pa_ik without a seed for n poses: T holds n x 16 numbers,

@@ -295,7 +295,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -349,7 +349,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -384,7 +384,7 @@ typedef int wide_mask;
 #ifdef KUKA_KR6_R900_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1119,6 +1119,9 @@ int kuka_kr6_r900_ik_nearest(const double T[16], const double q_seed[6], double 
     int result = -KUKA_KR6_R900_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -KUKA_KR6_R900_INVALID_POSE;
     if (kuka_kr6_r900_ik(T, q_seed, all, status) < 0)
         return -KUKA_KR6_R900_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

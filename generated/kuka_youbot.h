@@ -55,7 +55,8 @@ int kuka_youbot_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KUKA_YOUBOT_OK or KUKA_YOUBOT_FREE_JOINT, or, with NaN in q,
- * minus KUKA_YOUBOT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KUKA_YOUBOT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* kuka_youbot_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int olson_pprrrr_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns OLSON_PPRRRR_OK or OLSON_PPRRRR_FREE_JOINT, or, with NaN in q,
- * minus OLSON_PPRRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus OLSON_PPRRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* olson_pprrrr_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsign
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PHANTOMX_OK or PHANTOMX_FREE_JOINT, or, with NaN in q,
- * minus PHANTOMX_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PHANTOMX_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* phantomx_ik without a seed for n poses: T holds n x 16 numbers,

@@ -142,7 +142,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -196,7 +196,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -231,7 +231,7 @@ typedef int wide_mask;
 #ifdef PLANAR_RR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -603,6 +603,9 @@ int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
     int result = -PLANAR_RR_UNREACHABLE;
     for (int i = 0; i < 2; i++)
         q[i] = NAN;
+    for (int i = 0; i < 2; i++)
+        if (!isfinite(q_seed[i]))
+            return -PLANAR_RR_INVALID_POSE;
     if (planar_rr_ik(T, q_seed, all, status) < 0)
         return -PLANAR_RR_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

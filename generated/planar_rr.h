@@ -54,7 +54,8 @@ int planar_rr_ik(const double T[16], const double *q_seed, double q[2][2], unsig
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PLANAR_RR_OK or PLANAR_RR_FREE_JOINT, or, with NaN in q,
- * minus PLANAR_RR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PLANAR_RR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]);
 
 /* planar_rr_ik without a seed for n poses: T holds n x 16 numbers,

@@ -405,6 +405,9 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
     int result = -PLANAR_RRRR_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(q_seed[i]))
+            return -PLANAR_RRRR_INVALID_POSE;
     if (planar_rrrr_ik(T, q_seed, all, status) < 0)
         return -PLANAR_RRRR_INVALID_POSE;
     for (int row = 0; row < 1; row++) {

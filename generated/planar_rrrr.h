@@ -55,7 +55,8 @@ int planar_rrrr_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PLANAR_RRRR_OK or PLANAR_RRRR_FREE_JOINT, or, with NaN in q,
- * minus PLANAR_RRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PLANAR_RRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* planar_rrrr_ik without a seed for n poses: T holds n x 16 numbers,

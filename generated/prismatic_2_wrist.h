@@ -55,7 +55,9 @@ int prismatic_2_wrist_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PRISMATIC_2_WRIST_OK or PRISMATIC_2_WRIST_FREE_JOINT, or, with NaN in q,
- * minus PRISMATIC_2_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PRISMATIC_2_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
+ * seed
+ * that is not finite. */
 int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* prismatic_2_wrist_ik without a seed for n poses: T holds n x 16 numbers,

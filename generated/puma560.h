@@ -53,7 +53,8 @@ int puma560_ik(const double T[16], const double *q_seed, double q[8][6], unsigne
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PUMA560_OK or PUMA560_FREE_JOINT, or, with NaN in q,
- * minus PUMA560_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PUMA560_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* puma560_ik without a seed for n poses: T holds n x 16 numbers,

@@ -239,7 +239,7 @@ typedef int wide_mask;
 #ifdef PUMA560_F32_LIBM
 #define atan2_wide atan2f
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -725,6 +725,9 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
     int result = -PUMA560_F32_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -PUMA560_F32_INVALID_POSE;
     if (puma560_f32_ik(T, q_seed, all, status) < 0)
         return -PUMA560_F32_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

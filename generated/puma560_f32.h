@@ -54,7 +54,8 @@ int puma560_f32_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PUMA560_F32_OK or PUMA560_F32_FREE_JOINT, or, with NaN in q,
- * minus PUMA560_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PUMA560_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6]);
 
 /* puma560_f32_ik without a seed for n poses: T holds n x 16 numbers,

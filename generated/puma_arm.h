@@ -53,7 +53,8 @@ int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsign
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PUMA_ARM_OK or PUMA_ARM_FREE_JOINT, or, with NaN in q,
- * minus PUMA_ARM_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PUMA_ARM_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* puma_arm_ik without a seed for n poses: T holds n x 16 numbers,

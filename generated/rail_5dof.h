@@ -54,7 +54,8 @@ int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsig
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns RAIL_5DOF_OK or RAIL_5DOF_FREE_JOINT, or, with NaN in q,
- * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* rail_5dof_ik without a seed for n poses: T holds n x 16 numbers,

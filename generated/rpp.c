@@ -120,7 +120,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -174,7 +174,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -209,7 +209,7 @@ typedef int wide_mask;
 #ifdef RPP_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -552,6 +552,9 @@ int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
     int result = -RPP_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -RPP_INVALID_POSE;
     if (rpp_ik(T, q_seed, all, status) < 0)
         return -RPP_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

@@ -53,7 +53,8 @@ int rpp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned ch
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns RPP_OK or RPP_FREE_JOINT, or, with NaN in q,
- * minus RPP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus RPP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* rpp_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned 
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SCARA_OK or SCARA_FREE_JOINT, or, with NaN in q,
- * minus SCARA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SCARA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4]);
 
 /* scara_ik without a seed for n poses: T holds n x 16 numbers,

@@ -181,7 +181,7 @@ typedef int wide_mask;
 #ifdef SCARA_F32_LIBM
 #define atan2_wide atan2f
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -381,7 +381,8 @@ static void solve(
     const float v4 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabsf(T33 - 1.0f) <= pose_slack && (fabsf(T32) <= pose_slack && (fabsf(T31) <= pose_slack &&
+    if (!(fabsf(T33 - 1.0f) <= pose_slack && (fabsf(T32) <= pose_slack && (fabsf(T31) <= pose_slack
+        &&
         (fabsf(T23) <= pose_slack && (fabsf(T22 - c124) <= pose_slack && (fabsf(T21 - s124) <=
         pose_slack && (fabsf(T13) <= pose_slack && (fabsf(T11 - c124) <= pose_slack && fabsf(T12 +
         s124) <= pose_slack)))))))))
@@ -408,7 +409,8 @@ static void solve(
         /* is the pose one that the arm can take? */
         const float c12 = c2 * c1 - s2 * s1;
         const float s12 = c2 * s1 + s2 * c1;
-        if (!(fabsf(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 && fabsf(t24 - (L2 * s12 + L1 * s1)) <=
+        if (!(fabsf(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 && fabsf(t24 - (L2 * s12 + L1 * s1))
+            <=
             pose_slack1))
             continue; /* the arm can't take this pose */
 
@@ -485,6 +487,9 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
     int result = -SCARA_F32_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(q_seed[i]))
+            return -SCARA_F32_INVALID_POSE;
     if (scara_f32_ik(T, q_seed, all, status) < 0)
         return -SCARA_F32_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

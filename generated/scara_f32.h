@@ -53,7 +53,8 @@ int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SCARA_F32_OK or SCARA_F32_FREE_JOINT, or, with NaN in q,
- * minus SCARA_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SCARA_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4]);
 
 /* scara_f32_ik without a seed for n poses: T holds n x 16 numbers,

@@ -198,7 +198,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -252,7 +252,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -287,7 +287,7 @@ typedef int wide_mask;
 #ifdef SCARA_PRRR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -802,6 +802,9 @@ int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4
     int result = -SCARA_PRRR_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(q_seed[i]))
+            return -SCARA_PRRR_INVALID_POSE;
     if (scara_prrr_ik(T, q_seed, all, status) < 0)
         return -SCARA_PRRR_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

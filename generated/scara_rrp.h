@@ -54,7 +54,8 @@ int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsig
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SCARA_RRP_OK or SCARA_RRP_FREE_JOINT, or, with NaN in q,
- * minus SCARA_RRP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SCARA_RRP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* scara_rrp_ik without a seed for n poses: T holds n x 16 numbers,

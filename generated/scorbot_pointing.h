@@ -57,7 +57,8 @@ int scorbot_pointing_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SCORBOT_POINTING_OK or SCORBOT_POINTING_FREE_JOINT, or, with NaN in q,
- * minus SCORBOT_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SCORBOT_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int scorbot_pointing_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[5], double q[5]);
 

@@ -54,7 +54,8 @@ int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsig
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SPHERICAL_OK or SPHERICAL_FREE_JOINT, or, with NaN in q,
- * minus SPHERICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SPHERICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* spherical_ik without a seed for n poses: T holds n x 16 numbers,

@@ -98,7 +98,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSPHERICAL_OFFSET_SCALAR. With -DSPHERICAL_OFFSET_LIBM the arctangents are those of <math.h>, too. */
+ * -DSPHERICAL_OFFSET_SCALAR. With -DSPHERICAL_OFFSET_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(SPHERICAL_OFFSET_SCALAR) && !defined(SPHERICAL_OFFSET_LIBM)
 #include <immintrin.h>
@@ -142,7 +143,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -196,7 +197,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -231,7 +232,7 @@ typedef int wide_mask;
 #ifdef SPHERICAL_OFFSET_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -266,10 +267,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & SPHERICAL_OFFSET_UNREACHABLE) | (~(none) & (outside) & SPHERICAL_OFFSET_OUT_OF_LIMITS))
+    (((none) & SPHERICAL_OFFSET_UNREACHABLE) | (~(none) & (outside) &
+        SPHERICAL_OFFSET_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)SPHERICAL_OFFSET_UNREACHABLE : (outside) ? (int)SPHERICAL_OFFSET_OUT_OF_LIMITS : 0)
+    ((none) ? (int)SPHERICAL_OFFSET_UNREACHABLE : (outside) ? (int)SPHERICAL_OFFSET_OUT_OF_LIMITS :
+        0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -632,6 +635,9 @@ int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], doub
     int result = -SPHERICAL_OFFSET_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -SPHERICAL_OFFSET_INVALID_POSE;
     if (spherical_offset_ik(T, q_seed, all, status) < 0)
         return -SPHERICAL_OFFSET_INVALID_POSE;
     for (int row = 0; row < 4; row++) {

@@ -55,7 +55,8 @@ int spherical_offset_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns SPHERICAL_OFFSET_OK or SPHERICAL_OFFSET_FREE_JOINT, or, with NaN in q,
- * minus SPHERICAL_OFFSET_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus SPHERICAL_OFFSET_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* spherical_offset_ik without a seed for n poses: T holds n x 16 numbers,

@@ -244,7 +244,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSPHERICAL_WRIST_ALL_OFFSETS_SCALAR. With -DSPHERICAL_WRIST_ALL_OFFSETS_LIBM the arctangents are those of <math.h>, too. */
+ * -DSPHERICAL_WRIST_ALL_OFFSETS_SCALAR. With -DSPHERICAL_WRIST_ALL_OFFSETS_LIBM the arctangents are
+ * those of <math.h>, too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(SPHERICAL_WRIST_ALL_OFFSETS_SCALAR) && !defined(SPHERICAL_WRIST_ALL_OFFSETS_LIBM)
 #include <immintrin.h>
@@ -288,7 +289,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -342,7 +343,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -377,7 +378,7 @@ typedef int wide_mask;
 #ifdef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -423,10 +424,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) | (~(none) & (outside) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
+    (((none) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) | (~(none) & (outside) &
+        SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE : (outside) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
+    ((none) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE : (outside) ?
+        (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -1104,7 +1107,8 @@ int spherical_wrist_all_offsets_ik(
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE : SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
+        status[row] = valid ? SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE :
+            SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -1131,13 +1135,17 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
     int result = -SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
     if (spherical_wrist_all_offsets_ik(T, q_seed, all, status) < 0)
         return -SPHERICAL_WRIST_ALL_OFFSETS_INVALID_POSE;
     for (int row = 0; row < 8; row++) {
         double distance = 0.0;
         if (status[row] == SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS && result < 0)
             result = -SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OK && status[row] != SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT)
+        if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OK && status[row] !=
+            SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);

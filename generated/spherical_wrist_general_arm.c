@@ -38,7 +38,8 @@ static double bracketed(const double p[5], double low, double high, double at_lo
 }
 
 /* Roots of a polynomial that is monotone between neighbouring edges. */
-static int between(const double p[5], const double *edges, int count, double tolerance, double *found)
+static int between(const double p[5], const double *edges, int count, double tolerance, double
+    *found)
 {
     int roots = 0;
     double before = edges[0], at_before = horner(p, edges[0]);
@@ -58,8 +59,10 @@ static int between(const double p[5], const double *edges, int count, double tol
 }
 
 /* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
- * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large leading
- * coefficient; its roots lie between those of its derivative, those between the roots of the second. */
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+ * leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the
+ * second. */
 static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
@@ -561,7 +564,8 @@ int spherical_wrist_general_arm_ik(
     int count = 0;
     const int valid = read_pose(T, pose);
     for (int row = 0; row < 8; row++) {
-        status[row] = valid ? SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE : SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
+        status[row] = valid ? SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE :
+            SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
         for (int i = 0; i < 6; i++)
             q[row][i] = NAN;
     }
@@ -588,13 +592,17 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
     int result = -SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
     if (spherical_wrist_general_arm_ik(T, q_seed, all, status) < 0)
         return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
     for (int row = 0; row < 8; row++) {
         double distance = 0.0;
         if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS && result < 0)
             result = -SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
-        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_OK && status[row] != SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT)
+        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_OK && status[row] !=
+            SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT)
             continue;
         for (int i = 0; i < 6; i++) {
             all[row][i] = turned(i, all[row][i], q_seed[i]);

@@ -55,8 +55,11 @@ int spherical_wrist_general_arm_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
- * Returns SPHERICAL_WRIST_GENERAL_ARM_OK or SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT, or, with NaN in q,
- * minus SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * Returns SPHERICAL_WRIST_GENERAL_ARM_OK or SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT, or, with NaN in
+ * q,
+ * minus SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also
+ * for a seed
+ * that is not finite. */
 int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* spherical_wrist_general_arm_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsign
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns STANFORD_OK or STANFORD_FREE_JOINT, or, with NaN in q,
- * minus STANFORD_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus STANFORD_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* stanford_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int staubli_rx90_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns STAUBLI_RX90_OK or STAUBLI_RX90_FREE_JOINT, or, with NaN in q,
- * minus STAUBLI_RX90_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus STAUBLI_RX90_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* staubli_rx90_ik without a seed for n poses: T holds n x 16 numbers,

@@ -256,7 +256,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>, too. */
+ * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>, too.
+ * */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(STAUBLI_TX2_90_SCALAR) && !defined(STAUBLI_TX2_90_LIBM)
 #include <immintrin.h>
@@ -300,7 +301,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -354,7 +355,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -389,7 +390,7 @@ typedef int wide_mask;
 #ifdef STAUBLI_TX2_90_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -1213,6 +1214,9 @@ int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double
     int result = -STAUBLI_TX2_90_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -STAUBLI_TX2_90_INVALID_POSE;
     if (staubli_tx2_90_ik(T, q_seed, all, status) < 0)
         return -STAUBLI_TX2_90_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

@@ -53,7 +53,8 @@ int ur10e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned 
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns UR10E_OK or UR10E_FREE_JOINT, or, with NaN in q,
- * minus UR10E_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus UR10E_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int ur10e_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* ur10e_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int ur5_ik(const double T[16], const double *q_seed, double q[8][6], unsigned ch
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns UR5_OK or UR5_FREE_JOINT, or, with NaN in q,
- * minus UR5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus UR5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int ur5_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* ur5_ik without a seed for n poses: T holds n x 16 numbers,

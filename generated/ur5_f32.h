@@ -53,7 +53,8 @@ int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned c
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns UR5_F32_OK or UR5_F32_FREE_JOINT, or, with NaN in q,
- * minus UR5_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus UR5_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6]);
 
 /* ur5_f32_ik without a seed for n poses: T holds n x 16 numbers,

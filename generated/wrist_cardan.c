@@ -163,7 +163,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -217,7 +217,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -252,7 +252,7 @@ typedef int wide_mask;
 #ifdef WRIST_CARDAN_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -629,6 +629,9 @@ int wrist_cardan_ik_nearest(const double T[16], const double q_seed[3], double q
     int result = -WRIST_CARDAN_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -WRIST_CARDAN_INVALID_POSE;
     if (wrist_cardan_ik(T, q_seed, all, status) < 0)
         return -WRIST_CARDAN_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

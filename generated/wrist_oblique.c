@@ -217,7 +217,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -271,7 +271,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -306,7 +306,7 @@ typedef int wide_mask;
 #ifdef WRIST_OBLIQUE_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -931,6 +931,9 @@ int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double 
     int result = -WRIST_OBLIQUE_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -WRIST_OBLIQUE_INVALID_POSE;
     if (wrist_oblique_ik(T, q_seed, all, status) < 0)
         return -WRIST_OBLIQUE_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

@@ -55,7 +55,8 @@ int wrist_oblique_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns WRIST_OBLIQUE_OK or WRIST_OBLIQUE_FREE_JOINT, or, with NaN in q,
- * minus WRIST_OBLIQUE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus WRIST_OBLIQUE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3]);
 
 /* wrist_oblique_ik without a seed for n poses: T holds n x 16 numbers,

@@ -53,7 +53,8 @@ int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned 
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns XARM5_OK or XARM5_FREE_JOINT, or, with NaN in q,
- * minus XARM5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus XARM5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
 
 /* xarm5_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int yaskawa_gp7_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns YASKAWA_GP7_OK or YASKAWA_GP7_FREE_JOINT, or, with NaN in q,
- * minus YASKAWA_GP7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus YASKAWA_GP7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* yaskawa_gp7_ik without a seed for n poses: T holds n x 16 numbers,

@@ -11,7 +11,7 @@ from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_solver, regular_values
 from dhgen.targets.c_single import in_single_precision
-from dhgen.targets.layout import INDENT, WIDTH, c_array, call, listed, packed, paragraph
+from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values
 from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
@@ -34,11 +34,11 @@ def c_files(module: SolverModule) -> dict[str, str]:
     if flats:
         values |= regular_values(module, *flats)
     texts = {
-        f"{module.name}.h": render("c/solver.h.jinja", **values),
-        f"{module.name}.c": render("c/solver.c.jinja", **values),
+        f"{module.name}.h": fitted(render("c/solver.h.jinja", **values)),
+        f"{module.name}.c": fitted(render("c/solver.c.jinja", **values)),
     }
     if module.precision is SINGLE:
-        return {name: in_single_precision(text) for name, text in texts.items()}
+        return {name: fitted(in_single_precision(text)) for name, text in texts.items()}
     return texts
 
 

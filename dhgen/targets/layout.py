@@ -69,3 +69,20 @@ def paragraph(text: str, indent: str) -> str:
     return "\n".join(
         textwrap.wrap(text, WIDTH - len(indent), break_long_words=False, break_on_hyphens=False)
     ).replace("\n", f"\n{indent}")
+
+
+def fitted(source: str) -> str:
+    """C whose long names have made some lines too long for a page."""
+    lines: list[str] = []
+    for line in source.split("\n"):
+        fits = len(line) <= WIDTH or line.startswith("#")
+        lines += [line] if fits else _broken(line)
+    return "\n".join(lines)
+
+
+def _broken(line: str) -> list[str]:
+    text = line.lstrip()
+    indent = line[: len(line) - len(text)]
+    if text.startswith("* "):
+        return wrapped(line, indent, "* ")
+    return wrapped(line, indent, " * " if text.startswith("/* ") else "    ")

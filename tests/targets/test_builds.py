@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
+from dhgen.targets.layout import WIDTH
 from dhgen.verify.native import FAST_FLAGS, NATIVE, Build
-from tests.targets.made import apart, given, in_c, made, poses_of, residual, robot
+from tests.targets.made import ROBOTS, apart, given, in_c, made, poses_of, residual, robot
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -112,3 +113,20 @@ def test_libm_stays_available() -> None:
     joints, T, _ = cases(name)
     q, status = in_c(name, build).batch(T, *given(name, joints))
     assert_rows(name, q, status)
+
+
+def test_a_seed_that_is_not_finite_is_refused() -> None:
+    joints, T, _ = cases("ur5")
+    solver = in_c("ur5")
+    assert np.isfinite(solver.nearest(T[100], joints[100])).all()
+    for wrong in (np.nan, np.inf):
+        seed = joints[100].copy()
+        seed[2] = wrong
+        assert np.isnan(solver.nearest(T[100], seed)).all()
+
+
+@pytest.mark.parametrize("suffix", [".c", ".h"])
+def test_lines_fit_on_a_page(suffix: str) -> None:
+    for path in (ROBOTS.parent / "generated").glob(f"*{suffix}"):
+        long = [line for line in path.read_text().splitlines() if len(line) > WIDTH]
+        assert not long, (path.name, long[0])

