@@ -403,10 +403,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & ARM_6R_UNREACHABLE) | (~(none) & (outside) & ARM_6R_OUT_OF_LIMITS))
+    (((none) & ARM_6R_UNREACHABLE) \
+        | (~(none) & (outside) & ARM_6R_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)ARM_6R_UNREACHABLE : (outside) ? (int)ARM_6R_OUT_OF_LIMITS : 0)
+    ((none) ? (int)ARM_6R_UNREACHABLE \
+        : (outside) ? (int)ARM_6R_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -447,10 +447,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & COMAU_NS16_UNREACHABLE) | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
+    (((none) & COMAU_NS16_UNREACHABLE) \
+        | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)COMAU_NS16_UNREACHABLE : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
+    ((none) ? (int)COMAU_NS16_UNREACHABLE \
+        : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -343,12 +343,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & CYLINDRICAL_WRIST_UNREACHABLE) | (~(none) & (outside) &
-        CYLINDRICAL_WRIST_OUT_OF_LIMITS))
+    (((none) & CYLINDRICAL_WRIST_UNREACHABLE) \
+        | (~(none) & (outside) & CYLINDRICAL_WRIST_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)CYLINDRICAL_WRIST_UNREACHABLE : (outside) ? (int)CYLINDRICAL_WRIST_OUT_OF_LIMITS
-        : 0)
+    ((none) ? (int)CYLINDRICAL_WRIST_UNREACHABLE \
+        : (outside) ? (int)CYLINDRICAL_WRIST_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

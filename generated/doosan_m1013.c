@@ -425,10 +425,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & DOOSAN_M1013_UNREACHABLE) | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
+    (((none) & DOOSAN_M1013_UNREACHABLE) \
+        | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)DOOSAN_M1013_UNREACHABLE : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
+    ((none) ? (int)DOOSAN_M1013_UNREACHABLE \
+        : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -344,10 +344,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & EPSON_T3_UNREACHABLE) | (~(none) & (outside) & EPSON_T3_OUT_OF_LIMITS))
+    (((none) & EPSON_T3_UNREACHABLE) \
+        | (~(none) & (outside) & EPSON_T3_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)EPSON_T3_UNREACHABLE : (outside) ? (int)EPSON_T3_OUT_OF_LIMITS : 0)
+    ((none) ? (int)EPSON_T3_UNREACHABLE \
+        : (outside) ? (int)EPSON_T3_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -440,12 +440,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & FANUC_LRMATE200ID_UNREACHABLE) | (~(none) & (outside) &
-        FANUC_LRMATE200ID_OUT_OF_LIMITS))
+    (((none) & FANUC_LRMATE200ID_UNREACHABLE) \
+        | (~(none) & (outside) & FANUC_LRMATE200ID_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS
-        : 0)
+    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE \
+        : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -434,10 +434,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & FANUC_M710IC50_UNREACHABLE) | (~(none) & (outside) & FANUC_M710IC50_OUT_OF_LIMITS))
+    (((none) & FANUC_M710IC50_UNREACHABLE) \
+        | (~(none) & (outside) & FANUC_M710IC50_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)FANUC_M710IC50_UNREACHABLE : (outside) ? (int)FANUC_M710IC50_OUT_OF_LIMITS : 0)
+    ((none) ? (int)FANUC_M710IC50_UNREACHABLE \
+        : (outside) ? (int)FANUC_M710IC50_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

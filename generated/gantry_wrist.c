@@ -322,10 +322,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & GANTRY_WRIST_UNREACHABLE) | (~(none) & (outside) & GANTRY_WRIST_OUT_OF_LIMITS))
+    (((none) & GANTRY_WRIST_UNREACHABLE) \
+        | (~(none) & (outside) & GANTRY_WRIST_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)GANTRY_WRIST_UNREACHABLE : (outside) ? (int)GANTRY_WRIST_OUT_OF_LIMITS : 0)
+    ((none) ? (int)GANTRY_WRIST_UNREACHABLE \
+        : (outside) ? (int)GANTRY_WRIST_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

@@ -441,10 +441,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & KAWASAKI_RS007N_UNREACHABLE) | (~(none) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
+    (((none) & KAWASAKI_RS007N_UNREACHABLE) \
+        | (~(none) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)KAWASAKI_RS007N_UNREACHABLE : (outside) ? (int)KAWASAKI_RS007N_OUT_OF_LIMITS : 0)
+    ((none) ? (int)KAWASAKI_RS007N_UNREACHABLE \
+        : (outside) ? (int)KAWASAKI_RS007N_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

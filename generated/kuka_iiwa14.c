@@ -489,10 +489,12 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & KUKA_IIWA14_UNREACHABLE) | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
+    (((none) & KUKA_IIWA14_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)KUKA_IIWA14_UNREACHABLE : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
+    ((none) ? (int)KUKA_IIWA14_UNREACHABLE \
+        : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

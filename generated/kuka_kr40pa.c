@@ -237,7 +237,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -291,7 +291,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -326,7 +326,7 @@ typedef int wide_mask;
 #ifdef KUKA_KR40PA_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -372,10 +372,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & KUKA_KR40PA_UNREACHABLE) | (~(none) & (outside) & KUKA_KR40PA_OUT_OF_LIMITS))
+    (((none) & KUKA_KR40PA_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_KR40PA_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)KUKA_KR40PA_UNREACHABLE : (outside) ? (int)KUKA_KR40PA_OUT_OF_LIMITS : 0)
+    ((none) ? (int)KUKA_KR40PA_UNREACHABLE \
+        : (outside) ? (int)KUKA_KR40PA_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -912,7 +914,8 @@ static double serving_value(struct search *lost)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
  * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static double serving_digits(struct search *lost)
@@ -1008,6 +1011,9 @@ int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[
     int result = -KUKA_KR40PA_UNREACHABLE;
     for (int i = 0; i < 4; i++)
         q[i] = NAN;
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(q_seed[i]))
+            return -KUKA_KR40PA_INVALID_POSE;
     if (kuka_kr40pa_ik(T, q_seed, all, status) < 0)
         return -KUKA_KR40PA_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

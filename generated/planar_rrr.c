@@ -204,7 +204,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -258,7 +258,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -293,7 +293,7 @@ typedef int wide_mask;
 #ifdef PLANAR_RRR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -339,10 +339,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & PLANAR_RRR_UNREACHABLE) | (~(none) & (outside) & PLANAR_RRR_OUT_OF_LIMITS))
+    (((none) & PLANAR_RRR_UNREACHABLE) \
+        | (~(none) & (outside) & PLANAR_RRR_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)PLANAR_RRR_UNREACHABLE : (outside) ? (int)PLANAR_RRR_OUT_OF_LIMITS : 0)
+    ((none) ? (int)PLANAR_RRR_UNREACHABLE \
+        : (outside) ? (int)PLANAR_RRR_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -837,7 +839,8 @@ static double serving_value(struct search *lost)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
  * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static double serving_digits(struct search *lost)
@@ -933,6 +936,9 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
     int result = -PLANAR_RRR_UNREACHABLE;
     for (int i = 0; i < 3; i++)
         q[i] = NAN;
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(q_seed[i]))
+            return -PLANAR_RRR_INVALID_POSE;
     if (planar_rrr_ik(T, q_seed, all, status) < 0)
         return -PLANAR_RRR_INVALID_POSE;
     for (int row = 0; row < 2; row++) {

@@ -78,7 +78,7 @@ class Unreachable(ValueError):  # noqa: N818
 
 @_jit
 def _atan2(y, x):
-    """math.atan2 by a polynomial: without branches, within 2 units in the last place."""
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
     far = along if along > across else across
     near = across if along > across else along

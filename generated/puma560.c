@@ -408,10 +408,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & PUMA560_UNREACHABLE) | (~(none) & (outside) & PUMA560_OUT_OF_LIMITS))
+    (((none) & PUMA560_UNREACHABLE) \
+        | (~(none) & (outside) & PUMA560_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_UNREACHABLE : (outside) ? (int)PUMA560_OUT_OF_LIMITS : 0)
+    ((none) ? (int)PUMA560_UNREACHABLE \
+        : (outside) ? (int)PUMA560_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

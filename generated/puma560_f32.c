@@ -283,7 +283,8 @@ HELPER wide irregularity_wide(const wide T[16])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_F32_UNREACHABLE : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
+    ((none) ? (int)PUMA560_F32_UNREACHABLE \
+        : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -377,10 +377,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & SCARA_WRIST_UNREACHABLE) | (~(none) & (outside) & SCARA_WRIST_OUT_OF_LIMITS))
+    (((none) & SCARA_WRIST_UNREACHABLE) \
+        | (~(none) & (outside) & SCARA_WRIST_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)SCARA_WRIST_UNREACHABLE : (outside) ? (int)SCARA_WRIST_OUT_OF_LIMITS : 0)
+    ((none) ? (int)SCARA_WRIST_UNREACHABLE \
+        : (outside) ? (int)SCARA_WRIST_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

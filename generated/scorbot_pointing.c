@@ -185,7 +185,8 @@ static const double odd[11] = {
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSCORBOT_POINTING_SCALAR. With -DSCORBOT_POINTING_LIBM the arctangents are those of <math.h>, too. */
+ * -DSCORBOT_POINTING_SCALAR. With -DSCORBOT_POINTING_LIBM the arctangents are those of <math.h>,
+ * too. */
 #if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     !defined(SCORBOT_POINTING_SCALAR) && !defined(SCORBOT_POINTING_LIBM)
 #include <immintrin.h>
@@ -229,7 +230,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -283,7 +284,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -318,7 +319,7 @@ typedef int wide_mask;
 #ifdef SCORBOT_POINTING_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -354,10 +355,12 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & SCORBOT_POINTING_UNREACHABLE) | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
+    (((none) & SCORBOT_POINTING_UNREACHABLE) \
+        | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
+    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE \
+        : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -1005,7 +1008,8 @@ static double serving_value(struct search *lost)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
  * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static double serving_digits(struct search *lost)
@@ -1104,6 +1108,9 @@ int scorbot_pointing_ik_nearest(
     int result = -SCORBOT_POINTING_UNREACHABLE;
     for (int i = 0; i < 5; i++)
         q[i] = NAN;
+    for (int i = 0; i < 5; i++)
+        if (!isfinite(q_seed[i]))
+            return -SCORBOT_POINTING_INVALID_POSE;
     if (scorbot_pointing_ik(T, free_joints, q_seed, all, status) < 0)
         return -SCORBOT_POINTING_INVALID_POSE;
     for (int row = 0; row < 4; row++) {

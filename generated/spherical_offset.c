@@ -267,12 +267,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & SPHERICAL_OFFSET_UNREACHABLE) | (~(none) & (outside) &
-        SPHERICAL_OFFSET_OUT_OF_LIMITS))
+    (((none) & SPHERICAL_OFFSET_UNREACHABLE) \
+        | (~(none) & (outside) & SPHERICAL_OFFSET_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)SPHERICAL_OFFSET_UNREACHABLE : (outside) ? (int)SPHERICAL_OFFSET_OUT_OF_LIMITS :
-        0)
+    ((none) ? (int)SPHERICAL_OFFSET_UNREACHABLE \
+        : (outside) ? (int)SPHERICAL_OFFSET_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

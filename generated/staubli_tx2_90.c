@@ -436,10 +436,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & STAUBLI_TX2_90_UNREACHABLE) | (~(none) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
+    (((none) & STAUBLI_TX2_90_UNREACHABLE) \
+        | (~(none) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)STAUBLI_TX2_90_UNREACHABLE : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
+    ((none) ? (int)STAUBLI_TX2_90_UNREACHABLE \
+        : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a

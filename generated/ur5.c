@@ -285,7 +285,7 @@ HELPER four sqrt_four(four x)
     return sqrt_of_four(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER four atan2_four(four y, four x)
 {
@@ -339,7 +339,7 @@ HELPER wide sqrt_wide(wide x)
     return sqrt_of_wide(x);
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -374,7 +374,7 @@ typedef int wide_mask;
 #ifdef UR5_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -420,10 +420,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & UR5_UNREACHABLE) | (~(none) & (outside) & UR5_OUT_OF_LIMITS))
+    (((none) & UR5_UNREACHABLE) \
+        | (~(none) & (outside) & UR5_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)UR5_UNREACHABLE : (outside) ? (int)UR5_OUT_OF_LIMITS : 0)
+    ((none) ? (int)UR5_UNREACHABLE \
+        : (outside) ? (int)UR5_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -1178,7 +1180,8 @@ static double serving_value(struct search *lost)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
  * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static double serving_digits(struct search *lost)
@@ -1273,6 +1276,9 @@ int ur5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
     int result = -UR5_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -UR5_INVALID_POSE;
     if (ur5_ik(T, q_seed, all, status) < 0)
         return -UR5_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

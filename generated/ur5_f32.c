@@ -251,7 +251,7 @@ typedef int wide_mask;
 #ifdef UR5_F32_LIBM
 #define atan2_wide atan2f
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 2 ulp: a polynomial in
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
  * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
 HELPER wide atan2_wide(wide y, wide x)
 {
@@ -295,7 +295,8 @@ HELPER wide irregularity_wide(const wide T[16])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(none, outside) \
-    ((none) ? (int)UR5_F32_UNREACHABLE : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
+    ((none) ? (int)UR5_F32_UNREACHABLE \
+        : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -786,7 +787,8 @@ static float serving_value(struct search *lost)
     return nearest;
 }
 
-/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes the
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
  * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static float serving_digits(struct search *lost)
@@ -881,6 +883,9 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
     int result = -UR5_F32_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -UR5_F32_INVALID_POSE;
     if (ur5_f32_ik(T, q_seed, all, status) < 0)
         return -UR5_F32_INVALID_POSE;
     for (int row = 0; row < 8; row++) {

@@ -438,10 +438,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
-    (((none) & YASKAWA_GP7_UNREACHABLE) | (~(none) & (outside) & YASKAWA_GP7_OUT_OF_LIMITS))
+    (((none) & YASKAWA_GP7_UNREACHABLE) \
+        | (~(none) & (outside) & YASKAWA_GP7_OUT_OF_LIMITS))
 #else
 #define kind_of(none, outside) \
-    ((none) ? (int)YASKAWA_GP7_UNREACHABLE : (outside) ? (int)YASKAWA_GP7_OUT_OF_LIMITS : 0)
+    ((none) ? (int)YASKAWA_GP7_UNREACHABLE \
+        : (outside) ? (int)YASKAWA_GP7_OUT_OF_LIMITS : 0)
 #endif
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
