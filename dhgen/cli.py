@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import io
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,6 +26,7 @@ verbs:
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
   dhgen --numerical FILE   let the numerical solver take what nothing else solves
   dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
+  dhgen survey PATH ...    count the solutions of many arms against a search (--poses N)
 
 exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
 """
@@ -39,6 +41,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if words[:1] == ["explain"]:
             return _explain(_explain_parser().parse_args(words[1:]))
+        if words[:1] == ["survey"]:
+            return _survey(_survey_parser().parse_args(words[1:]))
         options = _parser().parse_args(words)
         return _check(options) if options.check else _write(options)
     except DhgenError as error:
@@ -86,6 +90,37 @@ def _explain_parser() -> argparse.ArgumentParser:
     parser.add_argument("--program", action="store_true", help="the program that is emitted")
     _add_numerical(parser)
     return parser
+
+
+def _survey_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="dhgen survey",
+        description="How complete the solvers of many arms are: every solution on random poses "
+        "against a search that shares no code with them, and an answer on every singular pose. "
+        "Exit code 1 when an arm falls short or is not solved.",
+    )
+    parser.add_argument(
+        "paths",
+        nargs="+",
+        type=Path,
+        metavar="PATH",
+        help="robot files, folders of them, or lists of tables in JSON",
+    )
+    parser.add_argument(
+        "--poses",
+        type=_positive,
+        default=200,
+        metavar="N",
+        help="random poses of each arm, and a quarter as many of each singular kind (default: 200)",
+    )
+    return parser
+
+
+def _positive(word: str) -> int:
+    number = int(word)
+    if number < 1:
+        raise argparse.ArgumentTypeError("at least 1")
+    return number
 
 
 def _tell(text: str) -> None:
@@ -179,3 +214,14 @@ def _explain(options: argparse.Namespace) -> int:
     else:
         print(derivation_terminal(compilation.robot, derivation, program))
     return 0
+
+
+def _survey(options: argparse.Namespace) -> int:
+    # matrices are small and every core has its own arm: threads inside would be in the way
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from dhgen.survey.survey import survey  # noqa: PLC0415
+    from dhgen.survey.table import survey_text  # noqa: PLC0415
+
+    lines = survey(options.paths, options.poses, _tell)
+    print(survey_text(lines), end="")
+    return 0 if all(line.complete for line in lines) else 1

@@ -12,7 +12,14 @@ from dhgen.robot.load import load
 from dhgen.targets.derivation.story import Story
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
+GENERATED = ROBOTS.parent / "generated"
+# Arms that no order of steps solves, as their committed files say.
+WHOLE = sorted(
+    path.stem
+    for path in ROBOTS.glob("*.yaml")
+    if "static void all_joints(" in (GENERATED / f"{path.stem}.c").read_text(encoding="utf-8")
+)
+NAMES = sorted({path.stem for path in ROBOTS.glob("*.yaml")} - set(WHOLE))
 
 
 @cache

@@ -19,7 +19,7 @@ from dhgen.targets.derivation.tree import tree_text
 from dhgen.targets.derivation.types import PRINTERS
 from tests.derivation.golden import FOLDER, document, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
-from tests.derivation.stories import NAMES, story
+from tests.derivation.stories import NAMES, WHOLE, story
 
 SECTIONS = [
     "The robot",
@@ -44,6 +44,14 @@ def test_sections_in_order(name: str) -> None:
     of = story(name)
     for number in range(1, len(of.steps) + 1):
         assert f"\n**{number}. $" in text
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_sections_of_an_arm_without_steps(name: str) -> None:
+    found = re.findall(r"^## (.*)$", document(name), re.MULTILINE)
+    assert found[:2] == SECTIONS[:2]
+    assert found[2].startswith(SECTIONS[2])
+    assert not story(name).steps
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -24,7 +24,7 @@ from dhgen.targets.derivation.lines import broken
 from dhgen.targets.derivation.plain import box
 from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.style import PLAIN
-from tests.derivation.stories import NAMES, story
+from tests.derivation.stories import NAMES, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def with_pose(of: Story, q: list[float]) -> Letters:
     return {**letters_of(of, q), "size": of.algebra.chain.size}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
 def test_forward_model(name: str) -> None:
     of = story(name)
     for seed in range(3):
@@ -111,7 +111,7 @@ def test_forward_model(name: str) -> None:
                 assert holds(relation, letters), box(relation)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
 def test_jacobian(name: str) -> None:
     of = story(name)
     q = configuration(of, 7)
@@ -183,7 +183,7 @@ def _steps_hold(of: Story, place: Letters, signs: tuple[float, ...]) -> bool:
     return all(holds(relation, letters) for relation in last)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, *WHOLE])
 def test_no_formula_is_wider_than_a_page(name: str) -> None:
     for relation in relations(list(document_blocks(story(name)))):
         if len(box(relation)) == 1:

@@ -23,16 +23,7 @@ Table = dict[str, Any]
 REFUSED = {"degenerate_collinear_56"}
 # No robot files yet.
 UNSOLVED = {
-    "abb_gofa_5",
     "bartell_rprpr",
-    "fanuc_crx10ia",
-    "general_6r",
-    "kinova_gen3_lite",
-    "kinova_jaco2",
-    "manseur_doty",
-    "puma560_calibrated",
-    "xarm6",
-    "yaskawa_hc10",
     "franka_panda",
     "kinova_gen3_7",
     "parallel_123",

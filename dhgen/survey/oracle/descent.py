@@ -11,7 +11,7 @@ from dhgen.survey.oracle.follow import follow
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.survey.oracle.arm import Arm, FloatArray
+    from dhgen.survey.oracle.arm import FloatArray
     from dhgen.survey.oracle.problem import Problem
 
 # Beside a singular pose runs a valley whose floor is nearly a solution. The normal equations
@@ -27,25 +27,16 @@ REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, si
 
 def descend(problem: Problem, q: FloatArray) -> FloatArray:
     """Follow every start (N, n) downhill; those (M, n) that reached the pose, or nearly."""
-    links, twists = link_tables(problem.model)
-    entries = np.flatnonzero(problem.entries)
     ends = q.copy()
     squares = follow(
-        links, twists, problem.model.revolute, entries, problem.target, problem.moving, ends
+        *problem.tables,
+        problem.model.revolute,
+        np.flatnonzero(problem.entries),
+        problem.target,
+        problem.moving,
+        ends,
     )
     return ends[squares < NEARLY]
-
-
-def link_tables(model: Arm) -> tuple[FloatArray, FloatArray]:
-    """The arm as `follow` takes it: links (n + 1, 3, 3, 4) and twists (n, 6)."""
-    n = len(model.before)
-    links, twists = np.zeros((n + 1, 3, 3, 4)), np.empty((n, 6))
-    for joint, (before, twist) in enumerate(zip(model.before, model.twist, strict=True)):
-        links[joint] = np.stack([before, before @ twist, before @ twist @ twist])[:, :3]
-        xi = before @ twist @ np.linalg.inv(before)
-        twists[joint] = xi[2, 1], xi[0, 2], xi[1, 0], *xi[:3, 3]
-    links[n, 0] = model.end[:3]
-    return links, twists
 
 
 def polish(

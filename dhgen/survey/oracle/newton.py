@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import FloatArray
 
-BATCH = {1: 32, 2: 32, 3: 64, 4: 128}  # starts at once, by the number of joints to find
-LARGEST_BATCH = 256
+BATCH = {1: 32, 2: 32, 3: 64}  # starts at once, by the number of joints to find
+LARGEST_BATCH = 128
 QUIET_BATCHES = 3  # batches in a row without a new solution before the search ends
 TIMES_MET = 3  # a solution met less often than this says that others may be missing
 MOST_BATCHES = 40
@@ -101,12 +101,14 @@ def solve(
     for _ in range(MOST_BATCHES):
         known = len(regular.q)
         ends = descend(problem, problem.starts(batch, random))
-        # most starts end in the same few places
         places = _merge(problem, nowhere, _Places(ends, np.ones(len(ends), np.intp)), SAME)
-        q, solved, simple = polish(problem, places.q)
-        places = _Places(q, places.times)
-        regular = _merge(problem, regular, places[simple], SAME)
-        singular = _merge(problem, singular, places[solved & ~simple], SAME_SINGULAR)
+        # most starts end where others have ended: only new places need their last digits
+        old = _among(problem, places.q, regular.q)
+        regular = _merge(problem, regular, places[old], SAME)
+        q, solved, simple = polish(problem, places.q[~old])
+        new = _Places(q, places.times[~old])
+        regular = _merge(problem, regular, new[simple], SAME)
+        singular = _merge(problem, singular, new[solved & ~simple], SAME_SINGULAR)
         quiet = quiet + 1 if len(regular.q) == known else 0
         enough = len(regular.q) >= at_least and np.all(regular.times >= TIMES_MET)
         if quiet >= QUIET_BATCHES and enough:
@@ -128,6 +130,12 @@ def _merge(problem: Problem, known: _Places, found: _Places, same: float) -> _Pl
             q, times = np.concatenate([q, pivot]), np.append(times, count)
         found = found[~alike]
     return _Places(q, times)
+
+
+def _among(problem: Problem, places: FloatArray, known: FloatArray) -> NDArray[np.bool_]:
+    """Which places (N, n) are known ones (k, n)."""
+    gaps = np.abs(_wrapped(problem, places[:, None] - known)).max(axis=2)
+    return np.asarray((gaps < SAME).any(axis=1))
 
 
 def _wrapped(problem: Problem, q: FloatArray) -> FloatArray:

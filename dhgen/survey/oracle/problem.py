@@ -35,6 +35,7 @@ class Problem:
         target: (m,), their values.
         moving: The joints to find; the others are free joints whose value is given.
         q: (n,), holds the values of the free joints.
+        tables: The model as `follow` takes it.
     """
 
     model: Arm
@@ -43,6 +44,7 @@ class Problem:
     target: FloatArray
     moving: NDArray[np.intp]
     q: FloatArray
+    tables: tuple[FloatArray, FloatArray]
 
     @property
     def units(self) -> FloatArray:
@@ -77,9 +79,28 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
     target[:, 3] /= unit_length
     entries = task_entries(robot.task)
     moving = np.setdiff1d(np.arange(len(q)), free)
+    scaled = model.divided_by(unit_length)
     return Problem(
-        model.divided_by(unit_length), unit_length, entries, target.ravel()[entries], moving, q
+        model=scaled,
+        unit_length=unit_length,
+        entries=entries,
+        target=target.ravel()[entries],
+        moving=moving,
+        q=q,
+        tables=_link_tables(scaled),
     )
+
+
+def _link_tables(model: Arm) -> tuple[FloatArray, FloatArray]:
+    """The arm as `follow` takes it: links (n + 1, 3, 3, 4) and twists (n, 6)."""
+    n = len(model.before)
+    links, twists = np.zeros((n + 1, 3, 3, 4)), np.empty((n, 6))
+    for joint, (before, twist) in enumerate(zip(model.before, model.twist, strict=True)):
+        links[joint] = np.stack([before, before @ twist, before @ twist @ twist])[:, :3]
+        xi = before @ twist @ np.linalg.inv(before)
+        twists[joint] = xi[2, 1], xi[0, 2], xi[1, 0], *xi[:3, 3]
+    links[n, 0] = model.end[:3]
+    return links, twists
 
 
 def task_entries(task: Task) -> NDArray[np.bool_]:

@@ -1,0 +1,129 @@
+"""What a solver is asked: every solution on random poses, an answer on every singular one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.survey.oracle.newton import solve
+from dhgen.survey.oracle.poses import random_joints
+from dhgen.survey.singular import in_a_family, is_redundant, singular_sets
+from dhgen.survey.trial import FREE_JOINT
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.survey.trial import Trial
+
+SAME = 1e-5  # [rad or arm sizes] a row and a solution of the oracle's
+TWICE = 1e-7  # the same of two rows: nearer than this they are one
+RECOVERED = 1e-3  # the same of a singular solution: it is known to a root of rounding only
+SHOWN = 3  # faults of one kind that are told
+
+
+@dataclass(frozen=True, slots=True)
+class Random:
+    """How many solutions random poses have, and how many of them the rows hold."""
+
+    expected: int
+    found: int
+    spurious: int
+    unmet: int
+    residual: float
+    faults: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Singular:
+    """How many poses of singular kinds were answered."""
+
+    poses: int
+    answered: int
+    residual: float
+    faults: tuple[str, ...]
+
+
+def ask_random(trial: Trial, count: int, bound: float) -> Random:
+    """Compares the rows with the oracle's solutions, one to one; of a family one is expected."""
+    redundant = is_redundant(trial.robot)
+    expected = found = spurious = unmet = 0
+    worst = 0.0
+    faults = []
+    q = random_joints(trial.robot, count, seed=1)
+    for number, (joints, T) in enumerate(zip(q, trial.poses(q), strict=True)):
+        rows, _ = trial.solve(T, joints)
+        residuals = trial.residuals(rows, T)
+        worst = max(worst, float(residuals.max(initial=0.0)))
+        true = _distinct(trial, rows[residuals <= bound])
+        spurious += len(rows) - len(true)
+        if len(rows) > len(true):
+            faults.append(f"{len(rows) - len(true)} spurious, q = {joints.tolist()}")
+        if redundant:
+            expected, found = expected + 1, found + (len(true) > 0)
+            continue
+        given = trial.given(joints)
+        values = () if given is None else tuple(given)
+        held = solve(trial.robot, T, values, seed=number, at_least=len(true))
+        missed = [one for one in held.regular if not _among(trial, one, true, SAME)]
+        met = np.concatenate([held.regular, held.singular])
+        expected += len(held.regular)
+        found += len(held.regular) - len(missed)
+        unmet += sum(not _among(trial, row, met, SAME) for row in true)
+        if missed:
+            faults.append(f"{len(missed)} of {len(held.regular)} missed, q = {joints.tolist()}")
+    return Random(expected, found, spurious, unmet, worst, _told("random", faults))
+
+
+def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
+    """Every pose is to have a row, every row to reach it, and the joints to be among the rows.
+
+    Where a joint is indeterminate it takes the seed's value, and the seed are the joints: they
+    are found again. Of a family of solutions in which no single joint is indeterminate any
+    members will do.
+    """
+    poses = answered = 0
+    worst = 0.0
+    told: list[str] = []
+    for kind, q in singular_sets(trial.robot, count).items():
+        faults = []
+        for joints, T in zip(q, trial.poses(q), strict=True):
+            rows, status = trial.solve(T, joints)
+            residual = float(trial.residuals(rows, T).max(initial=0.0))
+            worst = max(worst, residual)
+            fault = ""
+            if not len(rows):
+                fault = "no row"
+            elif residual > bound:
+                fault = f"residual {residual:.1e}"
+            elif (
+                not _among(trial, joints, rows, RECOVERED)
+                and FREE_JOINT not in status
+                and not in_a_family(trial.robot, joints)
+            ):
+                fault = f"found again only within {trial.apart(rows, joints).min():.1e}"
+            answered += not fault
+            faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
+        poses += len(q)
+        told += _told(kind, faults)
+    return Singular(poses, answered, worst, tuple(told))
+
+
+def _distinct(trial: Trial, rows: FloatArray) -> FloatArray:
+    kept: list[int] = []
+    for i, row in enumerate(rows):
+        if not _among(trial, row, rows[kept], TWICE):
+            kept.append(i)
+    return np.asarray(rows[kept])
+
+
+def _among(trial: Trial, one: FloatArray, others: FloatArray, near: float) -> bool:
+    return bool(trial.apart(others, one).min(initial=np.inf) <= near)
+
+
+def _told(kind: str, faults: Sequence[str]) -> tuple[str, ...]:
+    left = len(faults) - SHOWN
+    more = (f"{kind}: and {left} more",) if left > 0 else ()
+    return (*(f"{kind}: {fault}" for fault in faults[:SHOWN]), *more)

@@ -1,0 +1,72 @@
+"""A line of the survey: what was asked of an arm's solver and what it answered."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """How a solver did.
+
+    Attributes:
+        method: How it works: "closed form", "quartic", "general 6R", "numerical".
+        degree: Of the highest polynomial in the tangent of half an angle.
+        rows: Branches.
+        cpu: From the robot file to the solver's text [s of CPU].
+        poses: Random poses.
+        expected: Solutions that the oracle found on them.
+        found: Those of them that rows hold.
+        spurious: Rows that miss their pose or repeat another row.
+        unmet: Rows that reach their pose although the oracle did not come across them.
+        residual: The largest miss of any row on any pose, in arm sizes.
+        bound: What a row may miss its pose by.
+        singular: Poses of singular kinds.
+        answered: Those with the right answer.
+        faults: What went wrong where, for a reader.
+    """
+
+    method: str
+    degree: int
+    rows: int
+    cpu: float
+    poses: int
+    expected: int
+    found: int
+    spurious: int
+    unmet: int
+    residual: float
+    bound: float
+    singular: int
+    answered: int
+    faults: tuple[str, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Whether nothing is missing and nothing wrong."""
+        counted = self.found == self.expected and not self.spurious
+        return counted and self.residual <= self.bound and self.answered == self.singular
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """An arm, and its solver's answers or why there are none.
+
+    Attributes:
+        name: The robot's, or the file's where that can't be read.
+        joints: R or P for every joint, small where its value is given.
+        structure: Of the geometry.
+        answers: Of the solver; None without one.
+        reason: Why there is none.
+    """
+
+    name: str
+    joints: str
+    structure: str
+    answers: Answers | None
+    reason: str = ""
+
+    @property
+    def complete(self) -> bool:
+        """Whether the arm is solved, and completely."""
+        return self.answers is not None and self.answers.complete

@@ -1,0 +1,111 @@
+"""The survey: every arm compiled, its C put to work, its answers counted."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dhgen.compiler import Compilation, compile_robot
+from dhgen.errors import DhgenError
+from dhgen.general.kernel import GeneralKernel
+from dhgen.kinematics.build import build_chain
+from dhgen.robot.load import load
+from dhgen.survey.ask import ask_random, ask_singular
+from dhgen.survey.line import Answers, Line
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.sources import robot_files
+from dhgen.survey.structure import arm_class, joint_letters
+from dhgen.survey.trial import Trial
+from dhgen.verify.native import compile_solver
+from dhgen.verify.verify import GENERAL_RESIDUAL, RESIDUAL
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from dhgen.paul.derivation import Derivation
+
+SINGULAR_SHARE = 4  # random poses for one of each singular kind
+
+
+def survey(
+    given: Sequence[Path], poses: int, tell: Callable[[str], None] = lambda _: None
+) -> tuple[Line, ...]:
+    """Surveys robot files, folders of them and lists in JSON, on all cores.
+
+    Args:
+        given: Where the arms are.
+        poses: Random poses of each; a quarter as many of every singular kind.
+        tell: Is told of every arm that is done.
+
+    Raises:
+        RobotFileError: A list can't be read. Faults of single robot files stand in their lines.
+    """
+    lines = []
+    with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
+        files = robot_files(given, Path(folder))
+        with ProcessPoolExecutor(max(1, min(len(files), os.cpu_count() or 1))) as pool:
+            for line in pool.map(partial(survey_arm, poses=poses), files):
+                lines.append(line)
+                tell(f"{len(lines)} of {len(files)}: {line.name}")
+    return tuple(lines)
+
+
+def survey_arm(path: Path, poses: int) -> Line:
+    """One arm's line; the same at every run but for the CPU time."""
+    name, joints, structure = path.stem, "", ""
+    try:
+        robot = load(path)
+        name = robot.name
+        chain = build_chain(robot)
+        joints, structure = joint_letters(chain), arm_class(chain)
+        start = time.process_time()
+        compilation = compile_robot(path)
+        answers = _answers(compilation, poses, time.process_time() - start)
+    except DhgenError as error:
+        return Line(name, joints, structure, None, str(error).splitlines()[0])
+    return Line(name, joints, structure, answers)
+
+
+def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
+    robot, module = compilation.robot, compilation.module
+    derivation = compilation.derivation
+    bound = RESIDUAL if derivation.whole is None else GENERAL_RESIDUAL
+    with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
+        source = Path(folder) / f"{robot.name}.c"
+        for each in (source.name, f"{robot.name}.h"):
+            (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
+        rows, free = module.solver.rows, len(robot.free)
+        c = compile_solver(source, Path(folder), robot.name, len(robot.joints), rows, free)
+        if c is None:
+            raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
+        trial = Trial(robot, arm(robot), arm_size(robot), c)
+        random = ask_random(trial, poses, bound)
+        singular = ask_singular(trial, -(-poses // SINGULAR_SHARE), bound)
+    return Answers(
+        method=module.method,
+        degree=_degree(derivation),
+        rows=rows,
+        cpu=cpu,
+        poses=poses,
+        expected=random.expected,
+        found=random.found,
+        spurious=random.spurious,
+        unmet=random.unmet,
+        residual=max(random.residual, singular.residual),
+        bound=bound,
+        singular=singular.poses,
+        answered=singular.answered,
+        faults=(*random.faults, *singular.faults),
+    )
+
+
+def _degree(derivation: Derivation) -> int:
+    """Of the highest polynomial: as many roots as a step has; 0 where there is none."""
+    if derivation.whole is not None:
+        return derivation.branches if isinstance(derivation.whole, GeneralKernel) else 0
+    return max((step.roots for step in derivation.steps), default=1)

@@ -1,0 +1,100 @@
+"""The survey as plain text: a line for every arm, what fell short, and the totals."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.survey.line import Answers, Line
+
+HEAD = (
+    "arm",
+    "joints",
+    "structure",
+    "method",
+    "degree",
+    "rows",
+    "CPU s",
+    "found/expected",
+    "spurious",
+    "residual",
+    "singular poses",
+)
+LEFT = (0, 1, 2, 3)  # columns of words
+
+
+def survey_text(lines: Sequence[Line]) -> str:
+    """The whole report."""
+    rows = [HEAD, *(_cells(line) for line in lines)]
+    whole = [row for row in rows if len(row) == len(HEAD)]  # a reason may run on
+    widths = [max(map(len, column)) for column in zip(*whole, strict=True)]
+    widths[:3] = [max(map(len, column)) for column in zip(*(row[:3] for row in rows), strict=True)]
+    text = [_aligned(row, widths) for row in rows]
+    faults = [f"{line.name}: {fault}" for line in lines for fault in _faults(line)]
+    parts = ["\n".join(text), *(["\n".join(faults)] if faults else []), totals_text(lines)]
+    return "\n\n".join(parts) + "\n"
+
+
+def totals_text(lines: Sequence[Line]) -> str:
+    """The last lines of the report."""
+    solved = [line.answers for line in lines if line.answers is not None]
+    expected, found = sum(a.expected for a in solved), sum(a.found for a in solved)
+    poses, spurious = sum(a.poses for a in solved), sum(a.spurious for a in solved)
+    answered, singular = sum(a.answered for a in solved), sum(a.singular for a in solved)
+    general, others = (_residual(_worst(solved, general=general)) for general in (True, False))
+    text = [
+        f"{len(lines)} arms, {len(solved)} solved.",
+        f"{found} of {expected} solutions found on {poses} random poses, {spurious} spurious.",
+        f"{answered} of {singular} singular poses answered.",
+        f"Residual below {general} of the arm's size for general 6R, {others} for the rest.",
+    ]
+    if any(a.unmet for a in solved):
+        text.append(f"{sum(a.unmet for a in solved)} further solutions the search did not meet.")
+    short = [line.name for line in lines if not line.complete]
+    if short:
+        text.append(f"Short of everything: {', '.join(short)}.")
+    return "\n".join(text)
+
+
+def _worst(solved: Sequence[Answers], *, general: bool) -> float:
+    return max((a.residual for a in solved if (a.degree == 16) is general), default=0.0)
+
+
+def _cells(line: Line) -> tuple[str, ...]:
+    head = line.name, line.joints, line.structure
+    a = line.answers
+    if a is None:
+        return (*head, f"not solved: {line.reason}")
+    return (
+        *head,
+        a.method,
+        str(a.degree or "-"),
+        str(a.rows),
+        f"{a.cpu:.1f}",
+        f"{a.found}/{a.expected}",
+        str(a.spurious),
+        _residual(a.residual),
+        f"{a.answered}/{a.singular}",
+    )
+
+
+def _residual(value: float) -> str:
+    """The power of ten above it: digits would be those of a compiler."""
+    if not math.isfinite(value):
+        return "none"
+    return f"1e{math.ceil(math.log10(max(value, 1e-17)))}"
+
+
+def _aligned(row: tuple[str, ...], widths: list[int]) -> str:
+    cells = [
+        cell.ljust(width) if i in LEFT else cell.rjust(width)
+        for i, (cell, width) in enumerate(zip(row, widths, strict=False))
+    ]
+    return "  ".join(cells).rstrip()
+
+
+def _faults(line: Line) -> tuple[str, ...]:
+    return () if line.answers is None else line.answers.faults

@@ -1,0 +1,69 @@
+/* abb_gofa_5: ABB GoFa CRB 15000-5/0.95
+ *
+ * Inverse kinematics, generated from robots/abb_gofa_5.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/abb_gofa_5.yaml. The formulas and where they come from:
+ * abb_gofa_5.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef ABB_GOFA_5_H
+#define ABB_GOFA_5_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ABB_GOFA_5_METHOD "general 6R"
+
+enum {
+    ABB_GOFA_5_DOF = 6, /* joints */
+    ABB_GOFA_5_ROWS = 16 /* branches */
+};
+
+/* What a row of abb_gofa_5_ik holds. */
+enum {
+    /* joint values */
+    ABB_GOFA_5_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    ABB_GOFA_5_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    ABB_GOFA_5_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    ABB_GOFA_5_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    ABB_GOFA_5_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const abb_gofa_5_branches[16];
+
+/* The pose T of the joint values q. */
+void abb_gofa_5_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void abb_gofa_5_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -ABB_GOFA_5_INVALID_POSE. */
+int abb_gofa_5_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns ABB_GOFA_5_OK or ABB_GOFA_5_FREE_JOINT, or, with NaN in q,
+ * minus ABB_GOFA_5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* abb_gofa_5_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void abb_gofa_5_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* fanuc_crx10ia: Fanuc CRX-10iA
+ *
+ * Inverse kinematics, generated from robots/fanuc_crx10ia.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/fanuc_crx10ia.yaml. The formulas and where they come from:
+ * fanuc_crx10ia.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef FANUC_CRX10IA_H
+#define FANUC_CRX10IA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FANUC_CRX10IA_METHOD "general 6R"
+
+enum {
+    FANUC_CRX10IA_DOF = 6, /* joints */
+    FANUC_CRX10IA_ROWS = 16 /* branches */
+};
+
+/* What a row of fanuc_crx10ia_ik holds. */
+enum {
+    /* joint values */
+    FANUC_CRX10IA_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    FANUC_CRX10IA_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    FANUC_CRX10IA_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    FANUC_CRX10IA_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    FANUC_CRX10IA_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const fanuc_crx10ia_branches[16];
+
+/* The pose T of the joint values q. */
+void fanuc_crx10ia_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void fanuc_crx10ia_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -FANUC_CRX10IA_INVALID_POSE. */
+int fanuc_crx10ia_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns FANUC_CRX10IA_OK or FANUC_CRX10IA_FREE_JOINT, or, with NaN in q,
+ * minus FANUC_CRX10IA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int fanuc_crx10ia_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* fanuc_crx10ia_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void fanuc_crx10ia_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* general_6r: General arm with six revolute joints
+ *
+ * Inverse kinematics, generated from robots/general_6r.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/general_6r.yaml. The formulas and where they come from:
+ * general_6r.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef GENERAL_6R_H
+#define GENERAL_6R_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GENERAL_6R_METHOD "general 6R"
+
+enum {
+    GENERAL_6R_DOF = 6, /* joints */
+    GENERAL_6R_ROWS = 16 /* branches */
+};
+
+/* What a row of general_6r_ik holds. */
+enum {
+    /* joint values */
+    GENERAL_6R_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    GENERAL_6R_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    GENERAL_6R_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    GENERAL_6R_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    GENERAL_6R_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const general_6r_branches[16];
+
+/* The pose T of the joint values q. */
+void general_6r_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void general_6r_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -GENERAL_6R_INVALID_POSE. */
+int general_6r_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns GENERAL_6R_OK or GENERAL_6R_FREE_JOINT, or, with NaN in q,
+ * minus GENERAL_6R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int general_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* general_6r_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void general_6r_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* kinova_gen3_lite: Kinova Gen3 lite
+ *
+ * Inverse kinematics, generated from robots/kinova_gen3_lite.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kinova_gen3_lite.yaml. The formulas and where they come from:
+ * kinova_gen3_lite.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KINOVA_GEN3_LITE_H
+#define KINOVA_GEN3_LITE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KINOVA_GEN3_LITE_METHOD "general 6R"
+
+enum {
+    KINOVA_GEN3_LITE_DOF = 6, /* joints */
+    KINOVA_GEN3_LITE_ROWS = 16 /* branches */
+};
+
+/* What a row of kinova_gen3_lite_ik holds. */
+enum {
+    /* joint values */
+    KINOVA_GEN3_LITE_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KINOVA_GEN3_LITE_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KINOVA_GEN3_LITE_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KINOVA_GEN3_LITE_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    KINOVA_GEN3_LITE_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kinova_gen3_lite_branches[16];
+
+/* The pose T of the joint values q. */
+void kinova_gen3_lite_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kinova_gen3_lite_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KINOVA_GEN3_LITE_INVALID_POSE. */
+int kinova_gen3_lite_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KINOVA_GEN3_LITE_OK or KINOVA_GEN3_LITE_FREE_JOINT, or, with NaN in q,
+ * minus KINOVA_GEN3_LITE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int kinova_gen3_lite_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* kinova_gen3_lite_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void kinova_gen3_lite_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* manseur_doty: Arm with 16 real solutions
+ *
+ * Inverse kinematics, generated from robots/manseur_doty.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/manseur_doty.yaml. The formulas and where they come from:
+ * manseur_doty.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef MANSEUR_DOTY_H
+#define MANSEUR_DOTY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MANSEUR_DOTY_METHOD "general 6R"
+
+enum {
+    MANSEUR_DOTY_DOF = 6, /* joints */
+    MANSEUR_DOTY_ROWS = 16 /* branches */
+};
+
+/* What a row of manseur_doty_ik holds. */
+enum {
+    /* joint values */
+    MANSEUR_DOTY_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    MANSEUR_DOTY_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    MANSEUR_DOTY_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    MANSEUR_DOTY_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    MANSEUR_DOTY_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const manseur_doty_branches[16];
+
+/* The pose T of the joint values q. */
+void manseur_doty_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void manseur_doty_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -MANSEUR_DOTY_INVALID_POSE. */
+int manseur_doty_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns MANSEUR_DOTY_OK or MANSEUR_DOTY_FREE_JOINT, or, with NaN in q,
+ * minus MANSEUR_DOTY_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int manseur_doty_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* manseur_doty_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void manseur_doty_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

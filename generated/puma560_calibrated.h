@@ -1,0 +1,69 @@
+/* puma560_calibrated: PUMA 560 with calibration noise of 1e-3
+ *
+ * Inverse kinematics, generated from robots/puma560_calibrated.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/puma560_calibrated.yaml. The formulas and where they come from:
+ * puma560_calibrated.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef PUMA560_CALIBRATED_H
+#define PUMA560_CALIBRATED_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PUMA560_CALIBRATED_METHOD "general 6R"
+
+enum {
+    PUMA560_CALIBRATED_DOF = 6, /* joints */
+    PUMA560_CALIBRATED_ROWS = 16 /* branches */
+};
+
+/* What a row of puma560_calibrated_ik holds. */
+enum {
+    /* joint values */
+    PUMA560_CALIBRATED_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PUMA560_CALIBRATED_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PUMA560_CALIBRATED_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PUMA560_CALIBRATED_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PUMA560_CALIBRATED_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const puma560_calibrated_branches[16];
+
+/* The pose T of the joint values q. */
+void puma560_calibrated_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void puma560_calibrated_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PUMA560_CALIBRATED_INVALID_POSE. */
+int puma560_calibrated_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q,
+ * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* puma560_calibrated_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void puma560_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,67 @@
+/* xarm6: UFACTORY xArm 6
+ *
+ * Inverse kinematics, generated from robots/xarm6.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/xarm6.yaml. The formulas and where they come from: xarm6.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef XARM6_H
+#define XARM6_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define XARM6_METHOD "general 6R"
+
+enum {
+    XARM6_DOF = 6, /* joints */
+    XARM6_ROWS = 16 /* branches */
+};
+
+/* What a row of xarm6_ik holds. */
+enum {
+    /* joint values */
+    XARM6_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    XARM6_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    XARM6_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    XARM6_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    XARM6_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const xarm6_branches[16];
+
+/* The pose T of the joint values q. */
+void xarm6_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void xarm6_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -XARM6_INVALID_POSE. */
+int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns XARM6_OK or XARM6_FREE_JOINT, or, with NaN in q,
+ * minus XARM6_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* xarm6_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void xarm6_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

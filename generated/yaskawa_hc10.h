@@ -1,0 +1,69 @@
+/* yaskawa_hc10: Yaskawa HC10
+ *
+ * Inverse kinematics, generated from robots/yaskawa_hc10.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/yaskawa_hc10.yaml. The formulas and where they come from:
+ * yaskawa_hc10.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef YASKAWA_HC10_H
+#define YASKAWA_HC10_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define YASKAWA_HC10_METHOD "general 6R"
+
+enum {
+    YASKAWA_HC10_DOF = 6, /* joints */
+    YASKAWA_HC10_ROWS = 16 /* branches */
+};
+
+/* What a row of yaskawa_hc10_ik holds. */
+enum {
+    /* joint values */
+    YASKAWA_HC10_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    YASKAWA_HC10_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    YASKAWA_HC10_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    YASKAWA_HC10_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    YASKAWA_HC10_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const yaskawa_hc10_branches[16];
+
+/* The pose T of the joint values q. */
+void yaskawa_hc10_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void yaskawa_hc10_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -YASKAWA_HC10_INVALID_POSE. */
+int yaskawa_hc10_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns YASKAWA_HC10_OK or YASKAWA_HC10_FREE_JOINT, or, with NaN in q,
+ * minus YASKAWA_HC10_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* yaskawa_hc10_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void yaskawa_hc10_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

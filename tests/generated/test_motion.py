@@ -1,0 +1,117 @@
+"""Rows along continuous motions: a branch keeps its row, and `ik_nearest` follows."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.poses import ranges
+from dhgen.survey.singular import is_redundant, task_jacobian
+from tests.generated.asking import POLYNOMIAL, trial
+from tests.generated.solvers import NAMES, robot
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.survey.trial import Trial
+
+MOTIONS, STEPS = 6, 300
+REGULAR = 1e-3  # least singular value of the task's Jacobian, lengths in arm sizes
+STEEPEST = 3.0  # what a joint's turn changes that by at most, with a margin
+SAME = 1e-7
+
+
+def motions(name: str, *, within_limits: bool) -> list[FloatArray]:
+    """Smooth random motions of all joints but the free ones, each (STEPS, n)."""
+    low, high = ranges(robot(name))
+    if within_limits:
+        limits = [joint.limits for joint in robot(name).joints]
+        pairs = [pair or (low[i], high[i]) for i, pair in enumerate(limits)]
+        low, high = np.array(pairs).T
+    middle, half = (low + high) / 2, (high - low) / 2
+    source = np.random.default_rng(41)
+    time = np.linspace(0.0, 1.0, STEPS)[:, None]
+    free = [joint - 1 for joint in robot(name).free]
+    found = []
+    for _ in range(MOTIONS):
+        phase, speed = source.uniform(-np.pi, np.pi, (2, len(low)))
+        speed[free] = 0.0
+        found.append(middle + 0.98 * half * np.sin(phase + speed * time))
+    return found
+
+
+def least(asked: Trial, q: FloatArray) -> FloatArray:
+    """How far joint values (N, n) are from singular."""
+    scale = np.where(asked.model.revolute, 1.0, asked.size)
+    J = task_jacobian(asked.model.divided_by(asked.size), asked.robot, q / scale)
+    return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1])
+
+
+def row_of(asked: Trial, T: FloatArray, q: FloatArray) -> int:
+    rows, _ = asked.solver.ik(T, q, asked.given(q))
+    gaps = asked.apart(rows, q)
+    assert np.nanmin(gaps) < SAME, q
+    return int(np.nanargmin(gaps))
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in POLYNOMIAL])
+def test_a_branch_keeps_its_row(name: str) -> None:
+    """From one singular place to the next.
+
+    Not where a task has more numbers than the arm has joints: there two solutions of one pose may
+    be joined by a motion without any singular place (a katana's wrist passes over axis 1), so no
+    naming of rows could keep them apart.
+    """
+    asked = trial(name)
+    if not is_square(asked):
+        assert len(robot(name).joints) < 6
+        return
+    compared = 0
+    for q in motions(name, within_limits=False):
+        T, regular = asked.poses(q), crossed_nothing(asked, q)
+        row = row_of(asked, T[0], q[0])
+        for step in range(1, STEPS):
+            before, row = row, row_of(asked, T[step], q[step])
+            if regular[step - 1]:
+                assert row == before, (step, q[step].tolist())
+                compared += 1
+    assert compared > 20
+
+
+def is_square(asked: Trial) -> bool:
+    rows, columns = task_jacobian(asked.model, asked.robot, np.zeros(len(asked.robot.joints))).shape
+    return bool(rows == columns)
+
+
+def crossed_nothing(asked: Trial, q: FloatArray) -> NDArray[np.bool_]:
+    """Whether no singular place lies between one step and the next, (STEPS - 1,)."""
+    far = least(asked, q)
+    moved = np.array([asked.apart(one, other) for one, other in pairwise(q)])
+    return np.asarray(np.minimum(far[1:], far[:-1]) > np.maximum(STEEPEST * moved, REGULAR))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_nearest_solution_follows_a_motion(name: str) -> None:
+    """The nearest, but of a family: there it may be nearer to the seed than the motion is."""
+    asked = trial(name)
+    if is_redundant(robot(name)):
+        return
+    followed = 0
+    for q in motions(name, within_limits=True):
+        far = least(asked, q) > 30 * REGULAR
+        T = asked.poses(q)
+        for step in range(1, STEPS):
+            if far[step] and far[step - 1]:
+                found = asked.solver.nearest(T[step], q[step - 1], asked.given(q[step]))
+                moved = asked.apart(q[step], q[step - 1])
+                others, _ = asked.solve(T[step], q[step])
+                rivals = asked.apart(others, q[step])
+                if rivals[rivals > SAME].min(initial=np.inf) < 10 * moved:
+                    continue  # another solution passes by: which is nearer is a matter of norms
+                assert asked.apart(found, q[step]) < SAME, (step, q[step].tolist())
+                followed += 1
+    assert followed > 20

@@ -1,0 +1,95 @@
+"""Poses at and beside the singular ones, of every robot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.newton import solve
+from dhgen.survey.oracle.poses import NEAR, right_angles
+from dhgen.survey.singular import in_a_family, singular_sets
+from tests.generated.asking import GENERAL, trial
+from tests.generated.solvers import NAMES, robot
+
+if TYPE_CHECKING:
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.survey.trial import Trial
+
+RESIDUAL = 1e-9
+NEARLY = 1e-3  # [rad or arm sizes]
+SAME = 1e-5
+
+
+def flipped(asked: Trial, q: FloatArray, joint: int) -> FloatArray | None:
+    """The other posture of a wrist that turns about `joint`, where that is what it is."""
+    other = q.copy()
+    straight = np.round(q[joint] / (np.pi / 2)) * (np.pi / 2)
+    other[joint] = 2 * straight - q[joint]
+    beside = {joint, joint + 2}  # from 1
+    if not 0 < joint < len(q) - 1 or beside & set(asked.robot.free):
+        return None
+    other[[joint - 1, joint + 1]] += np.pi
+    reached = asked.residuals(other[None], asked.poses(q[None])[0])[0]
+    return other if reached < 1e-12 else None
+
+
+def found_again(asked: Trial, rows: FloatArray, q: FloatArray) -> bool:
+    return bool(asked.apart(rows, q).min() < NEARLY) or in_a_family(asked.robot, q)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_beside_singular_poses(name: str) -> None:
+    """Both postures are found within 1e-3, every row reaches the pose, at every distance.
+
+    General arms miss a double root now and then: how often, the survey says.
+    """
+    asked = trial(name)
+    lost: list[tuple[str, FloatArray]] = []
+    poses = flips = 0
+    for kind, sets in singular_sets(robot(name), 4, seed=5).items():
+        if not kind.startswith("singular by"):
+            continue
+        joint = int(kind.split()[-1]) - 1
+        for near in NEAR:
+            q = sets.copy()
+            q[:, joint] += near
+            for joints, T in zip(q, asked.poses(q), strict=True):
+                rows, _ = asked.solve(T, joints)
+                assert asked.residuals(rows, T).max() < RESIDUAL, (kind, near, joints)
+                poses += 1
+                if not found_again(asked, rows, joints):
+                    lost.append((kind, joints))
+                other = flipped(asked, joints, joint)
+                if other is not None:
+                    flips += 1
+                    assert asked.apart(rows, other).min() < NEARLY, (kind, near, joints)
+    assert len(lost) <= (poses // 20 if name in GENERAL else 0), lost
+    assert flips or name not in {"puma560", "kuka_kr6_r900", "stanford", "wrist_zyz"}
+
+
+# Beside a family of solutions, where its polynomial vanishes identically, the general algorithm
+# still loses some of the isolated ones.
+LOSSY = {"yaskawa_hc10"}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.xfail(strict=True)] if name in LOSSY else [])
+        for name in NAMES
+    ],
+)
+def test_every_solution_at_right_angles(name: str) -> None:
+    """What everyone tries first: the isolated solutions are all there, whatever else is singular."""
+    asked = trial(name)
+    q = right_angles(robot(name), 500, seed=6)
+    q = q[:: -(-len(q) // 5)]
+    for joints, T in zip(q, asked.poses(q), strict=True):
+        rows, _ = asked.solve(T, joints)
+        given = asked.given(joints)
+        found = solve(robot(name), T, () if given is None else tuple(given))
+        assert asked.residuals(rows, T).max() < RESIDUAL
+        for solution in found.regular:
+            assert asked.apart(rows, solution).min() < SAME, (joints, solution)
