@@ -55,7 +55,8 @@ int abb_gofa_5_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns ABB_GOFA_5_OK or ABB_GOFA_5_FREE_JOINT, or, with NaN in q,
- * minus ABB_GOFA_5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus ABB_GOFA_5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* abb_gofa_5_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int fanuc_crx10ia_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns FANUC_CRX10IA_OK or FANUC_CRX10IA_FREE_JOINT, or, with NaN in q,
- * minus FANUC_CRX10IA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus FANUC_CRX10IA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int fanuc_crx10ia_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* fanuc_crx10ia_ik without a seed for n poses: T holds n x 16 numbers,

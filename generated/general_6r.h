@@ -55,7 +55,8 @@ int general_6r_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns GENERAL_6R_OK or GENERAL_6R_FREE_JOINT, or, with NaN in q,
- * minus GENERAL_6R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus GENERAL_6R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int general_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* general_6r_ik without a seed for n poses: T holds n x 16 numbers,

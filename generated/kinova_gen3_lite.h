@@ -55,7 +55,8 @@ int kinova_gen3_lite_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns KINOVA_GEN3_LITE_OK or KINOVA_GEN3_LITE_FREE_JOINT, or, with NaN in q,
- * minus KINOVA_GEN3_LITE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus KINOVA_GEN3_LITE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int kinova_gen3_lite_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* kinova_gen3_lite_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int manseur_doty_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns MANSEUR_DOTY_OK or MANSEUR_DOTY_FREE_JOINT, or, with NaN in q,
- * minus MANSEUR_DOTY_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus MANSEUR_DOTY_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int manseur_doty_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* manseur_doty_ik without a seed for n poses: T holds n x 16 numbers,

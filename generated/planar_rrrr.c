@@ -9,90 +9,6 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
-static const double a = 0.25; /* link length 1 [m] */
-
-const char *const planar_rrrr_branches[1] = {
-    "nearest",
-};
-
-static const double lowest[4] = {
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-};
-static const double highest[4] = {
-    2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
-};
-
-void planar_rrrr_fk(const double q[4], double T[16])
-{
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double x3_y = x2_y * c3 + x2_x * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - x3_y * s4;
-    const double T21_ = x3_y * c4 + x3_x * s4;
-    const double T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_;
-    const double T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
-    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
-    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
-    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
-}
-
-void planar_rrrr_jacobian(const double q[4], double J[24])
-{
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a;
-    const double p1_y = s1 * a;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + a * x2_x;
-    const double p2_y = p1_y + a * x2_y;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double x3_y = x2_y * c3 + x2_x * s3;
-    const double p3_x = p2_x + a * x3_x;
-    const double p3_y = p2_y + a * x3_y;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4);
-    const double p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p4_y;
-    const double J23 = J21 - p2_x;
-    const double J13 = p2_y - p4_y;
-    const double J24 = J21 - p3_x;
-    const double J14 = p3_y - p4_y;
-    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
-    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
-    J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
-    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = 0.0;
-    J[16] = 0.0; J[17] = 0.0; J[18] = 0.0; J[19] = 0.0;
-    J[20] = 1.0; J[21] = 1.0; J[22] = 1.0; J[23] = 1.0;
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7])))
-        return 0;
-    return 1;
-}
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
  * lengths, and the same over the arm's size; between which values starts lie, and what is added
@@ -321,6 +237,90 @@ static void all_joints(
         q[0][solved[j]] = unit[j] * u[j];
 }
 
+static const double a = 0.25; /* link length 1 [m] */
+
+const char *const planar_rrrr_branches[1] = {
+    "nearest",
+};
+
+static const double lowest[4] = {
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+};
+static const double highest[4] = {
+    2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953,
+};
+
+void planar_rrrr_fk(const double q[4], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - x3_y * s4;
+    const double T21_ = x3_y * c4 + x3_x * s4;
+    const double T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_;
+    const double T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
+    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
+    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
+    T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void planar_rrrr_jacobian(const double q[4], double J[24])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a;
+    const double p1_y = s1 * a;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + a * x2_x;
+    const double p2_y = p1_y + a * x2_y;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double x3_y = x2_y * c3 + x2_x * s3;
+    const double p3_x = p2_x + a * x3_x;
+    const double p3_y = p2_y + a * x3_y;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4);
+    const double p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
+    const double J22 = J21 - p1_x;
+    const double J12 = p1_y - p4_y;
+    const double J23 = J21 - p2_x;
+    const double J13 = p2_y - p4_y;
+    const double J24 = J21 - p3_x;
+    const double J14 = p3_y - p4_y;
+    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
+    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
+    J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = 0.0;
+    J[16] = 0.0; J[17] = 0.0; J[18] = 0.0; J[19] = 0.0;
+    J[20] = 1.0; J[21] = 1.0; J[22] = 1.0; J[23] = 1.0;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7])))
+        return 0;
+    return 1;
+}
 
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(

@@ -55,7 +55,9 @@ int puma560_calibrated_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q,
- * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
+ * seed
+ * that is not finite. */
 int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* puma560_calibrated_ik without a seed for n poses: T holds n x 16 numbers,

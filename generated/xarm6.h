@@ -53,7 +53,8 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns XARM6_OK or XARM6_FREE_JOINT, or, with NaN in q,
- * minus XARM6_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus XARM6_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* xarm6_ik without a seed for n poses: T holds n x 16 numbers,

@@ -55,7 +55,8 @@ int yaskawa_hc10_ik(
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.
  * Returns YASKAWA_HC10_OK or YASKAWA_HC10_FREE_JOINT, or, with NaN in q,
- * minus YASKAWA_HC10_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE. */
+ * minus YASKAWA_HC10_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
 int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
 
 /* yaskawa_hc10_ik without a seed for n poses: T holds n x 16 numbers,
