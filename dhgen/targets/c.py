@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_search, c_tools
+from dhgen.general.emit import c_rows
+from dhgen.general.emit import c_source as general_source
+from dhgen.general.kernel import GeneralKernel
+from dhgen.numerical.emit import c_source as numerical_source
 from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
-from dhgen.targets.c_regular import best_lanes, entry_lines, regular_solver, regular_values
+from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
-from dhgen.targets.module import constant_texts, made_text, module_values
+from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
 from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import whole_arm
@@ -140,15 +142,10 @@ def _bodies(module: SolverModule) -> dict[str, object]:
 
 def _all_joints(module: SolverModule) -> str:
     """The function that solves all joints at once, where there is one."""
-    whole = whole_arm(module.solver)
-    if whole is None:
-        return ""
-    parts = [c_tools(whole.descent, module.name)]
-    if whole.general is None:
-        parts.append(c_search(whole.descent))
-    else:
-        parts += [c_source(whole.general, module.name), c_rows(module.chain, module.name)]
-    return "\n".join(parts)
+    kernel = whole_arm(module.solver)
+    if isinstance(kernel, GeneralKernel):
+        return f"{general_source(kernel, module.name)}\n{c_rows(module.name)}"
+    return "" if kernel is None else numerical_source(kernel, module.name)
 
 
 def _constant(name: str, value: str, comment: str) -> list[str]:

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let
-from dhgen.program.limits import Limits
-from dhgen.program.regular import regular
 from dhgen.program.schedule import names_in
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.c_lanes import LaneText, operators
@@ -29,21 +27,6 @@ if TYPE_CHECKING:
 
 INDENT = "    "
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
-
-
-def regular_solver(module: SolverModule) -> Regular | None:
-    """The program of regular poses, with limits."""
-    return regular(module.solver, tuple(_limits(module)))
-
-
-def _limits(module: SolverModule) -> list[Limits | None]:
-    slack = module.precision.tolerances.limit
-    return [
-        Limits(joint.limits[0] - slack, joint.limits[1] + slack, kind == "R")
-        if joint.limits
-        else None
-        for joint, kind in zip(module.chain.joints, module.joint_types, strict=True)
-    ]
 
 
 def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, object]:

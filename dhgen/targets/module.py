@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.branches import branch_labels
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
+from dhgen.program.limits import Limits
+from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
@@ -23,6 +25,7 @@ from dhgen.targets.walk import (
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.program.ir import NamedConstant, Program
+    from dhgen.program.regular import Regular
 
 
 FAN = 64  # values of a free joint that are tried first
@@ -70,9 +73,9 @@ class SolverModule:
     @property
     def method(self) -> str:
         """How it is solved: closed form, quartic, general 6R or numerical."""
-        whole = whole_arm(self.solver)
-        if whole is not None:
-            return whole.method
+        kernel = whole_arm(self.solver)
+        if kernel is not None:
+            return kernel.method
         return "quartic" if finds_roots(self.solver) else "closed form"
 
     @property
@@ -186,3 +189,18 @@ def _task_text(module: SolverModule) -> str:
         case TaskKind.COORDINATES:
             meant = " and ".join(f"{name} = T[{'xyz'.index(name)}, 3]" for name in task.coordinates)
     return f"Of a pose, {meant} counts; other entries are ignored."
+
+
+def regular_solver(module: SolverModule) -> Regular | None:
+    """The program of regular poses, with limits."""
+    return regular(module.solver, tuple(_limits(module)))
+
+
+def _limits(module: SolverModule) -> list[Limits | None]:
+    slack = module.precision.tolerances.limit
+    return [
+        Limits(joint.limits[0] - slack, joint.limits[1] + slack, kind == "R")
+        if joint.limits
+        else None
+        for joint, kind in zip(module.chain.joints, module.joint_types, strict=True)
+    ]

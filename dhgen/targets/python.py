@@ -5,18 +5,23 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import python_rows, python_source
-from dhgen.numerical.emit import python_search, python_tools
+from dhgen.general.emit import python_rows
+from dhgen.general.emit import python_source as general_source
+from dhgen.general.kernel import GeneralKernel
+from dhgen.numerical.emit import python_source as numerical_source
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.program.flatten import flatten
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
-from dhgen.targets.module import constant_texts, made_text, module_values
+from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
+from dhgen.targets.python_flat import TILE, regular_values
 from dhgen.targets.python_language import Python
 from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import uses, whole_arm
 
 if TYPE_CHECKING:
+    from dhgen.program.flatten import Flat
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
 
@@ -25,7 +30,10 @@ SHARE = 2048  # poses that are worth a thread
 
 def python_files(module: SolverModule) -> dict[str, str]:
     """The module by its name."""
+    solver = regular_solver(module)
+    flat = None if solver is None else flatten(solver)
     values = module_values(module) | _texts(module) | _bodies(module)
+    values |= _flat(module, flat)
     return {f"{module.name}.py": render("python/solver.py.jinja", **values)}
 
 
@@ -47,7 +55,6 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "frames": paragraph(frames, ""),
         "limit_pairs": [(repr(pair[0]), repr(pair[1])) if pair else none for pair in limits],
         "branches": module.branches,
-        "constants": [line for each in constant_texts(module) for line in _constant(*each)],
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
         "free_tuple": f"({', '.join(map(str, module.chain.free))},)",
         "finite": " and ".join([*finite, *given]) or "True",
@@ -78,15 +85,22 @@ def _bodies(module: SolverModule) -> dict[str, object]:
 
 def _all_joints(module: SolverModule) -> str:
     """The function that solves all joints at once, where there is one."""
-    whole = whole_arm(module.solver)
-    if whole is None:
-        return ""
-    parts = [python_tools(whole.descent)]
-    if whole.general is None:
-        parts.append(python_search(whole.descent))
-    else:
-        parts += [python_source(whole.general, module.name), python_rows(module.chain, module.name)]
-    return "\n\n".join(parts)
+    kernel = whole_arm(module.solver)
+    if isinstance(kernel, GeneralKernel):
+        return f"{general_source(kernel, module.name)}\n\n{python_rows(module.name)}"
+    return "" if kernel is None else numerical_source(kernel)
+
+
+def _flat(module: SolverModule, flat: Flat | None) -> dict[str, object]:
+    """What serves regular poses, where there is a program for them, and the constants of all."""
+    constants = constant_texts(module, () if flat is None else (flat.program,))
+    values: dict[str, object] = {
+        "constants": [line for each in constants for line in _constant(*each)],
+        "regular": None,
+    }
+    if flat is None:
+        return values
+    return values | {"regular": regular_values(module, flat), "tile_poses": TILE}
 
 
 def _entries(program: Program) -> str:

@@ -117,6 +117,8 @@ class _Checker:
             if random:
                 self._recover(rows[solved], q, FOUND, where)
                 self._nearest(q, T, where)
+                if self._has_branches:
+                    self._whole(T, q, rows, status, where)
             if meant is not None:
                 self._agree(rows[held], meant.q[number][held], "the program's meaning", where)
             self.poses += 1
@@ -124,21 +126,39 @@ class _Checker:
         self._batch(sample, poses)
 
     def _batch(self, sample: Sample, poses: Array) -> None:
-        """C's batches hold the rows of single poses."""
+        """Batches hold the rows of single poses."""
         given = [np.ascontiguousarray(sample.q[:, self._free])] if self._free else []
-        for build in self._builds:
-            many, statuses = build.batch(poses, *given)
+        zeros = np.zeros(self._chain.dof)
+        languages = [("Python", self._python.ik_batch, self._python.ik_all)]
+        languages += [
+            ("C", build.batch, lambda T, *free, build=build: build.ik(T, zeros, *free))
+            for build in self._builds
+        ]
+        for language, batch, alone in languages:
+            many, statuses = batch(poses, *given)
             for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
                 where = f"{self._module.name}, {sample.name}, number {number} of a batch"
-                one, one_status = build.ik(
-                    T, np.zeros(self._chain.dof), *(g[number] for g in given)
-                )
+                one, one_status = alone(T, *(g[number] for g in given))
                 self._reproduce(rows[np.isfinite(rows).all(axis=1)], T, where)
                 if sample.name == "random" and self._has_branches:
                     if not np.array_equal(status, one_status):
-                        raise VerificationError(f"{where}: C says {status}, alone {one_status}")
+                        told = f"{language} says {status}, alone {one_status}"
+                        raise VerificationError(f"{where}: {told}")
                     held = np.isfinite(one).all(axis=1)
-                    self._agree(rows[held], one[held], "C", where)
+                    self._agree(rows[held], one[held], language, where)
+
+    def _whole(
+        self, T: Array, q: Array, rows: Array, status: NDArray[np.uint8], where: str
+    ) -> None:
+        """What serves singular poses in Python gives the same at ordinary ones."""
+        given = self._given(q)
+        _, pose = self._python._read(T, *given)  # noqa: SLF001
+        others, kinds = np.empty_like(rows), np.empty_like(status)
+        self._python._whole(pose, *given, q, others, kinds)  # noqa: SLF001
+        if not np.array_equal(status, kinds):
+            raise VerificationError(f"{where}: Python says {status}, its other solver {kinds}")
+        held = np.isfinite(rows).all(axis=1)
+        self._agree(rows[held], others[held], "its other solver", where)
 
     def impossible(self) -> None:
         """Poses that are none, and poses out of reach."""

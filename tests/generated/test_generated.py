@@ -66,13 +66,19 @@ def in_c(name: str, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[n
 
 
 def in_python(name: str, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
-    """Row by row: the batch function in Python is looked at on a few robots below."""
+    """The batch function of the module."""
+    rows, status = module(name).ik_batch(T, *given(name, q))
+    return rows, status
+
+
+def one_by_one(name: str, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+    """The function for control loops, pose by pose."""
     python = module(name)
     rows = np.empty((len(T), python.MAX_SOLUTIONS, python.DOF))
     status = np.empty(rows.shape[:2], np.uint8)
     free = given(name, q)
     for k in range(len(T)):
-        python.ik_into(T[k], *(each[k] for each in free), rows[k], status[k])
+        python.ik_into(T[k], *(each[k] for each in free), rows[k], status[k], np.zeros(python.DOF))
     return rows, status
 
 
@@ -119,15 +125,16 @@ def test_random_poses(name: str, language: str) -> None:
     assert nearest.min(axis=1).max() < 1e-5
 
 
+@pytest.mark.parametrize("language", ["C", "Python"])
 @pytest.mark.parametrize("name", NAMES)
-def test_singular_poses(name: str) -> None:
+def test_singular_poses(name: str, language: str) -> None:
     """An exact answer on every one: wrists, shoulders, stretched, folded, right angles, limits."""
     sets = joint_sets(robot(name), count=6, seed=72)
     rows = module(name).MAX_SOLUTIONS
     for kind, q in sets.items():
         q = q[:: 1 + len(q) // SLOW.get(rows, len(q) or 1)]  # noqa: PLW2901
         T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
-        found, status = in_c(name, T, q)
+        found, status = (in_c if language == "C" else in_python)(name, T, q)
         held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
         assert held.any(axis=1).all(), (kind, q[~held.any(axis=1)][:3])
         poses = np.repeat(T[:, None], rows, axis=1)
@@ -165,14 +172,34 @@ def test_a_clean_process_needs_numpy_and_numba_only(name: str) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("name", ["scara"])
-def test_the_batch_on_all_cores(name: str) -> None:
-    q = random_joints(robot(name), 200, seed=73)
-    T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
-    rows, status = module(name).ik_batch(T)
-    others, other_status = in_python(name, T, q)
-    np.testing.assert_array_equal(rows, others)
+@pytest.mark.parametrize(
+    "name", ["scara", "ur5", "kuka_iiwa14", "staubli_tx2_90", "stanford", "scorbot_pointing"]
+)
+def test_every_way_to_call_gives_the_same(name: str) -> None:
+    """Batches, tables and arrays of the caller; singular, spoiled, rounded and far poses too."""
+    arms = robot(name)
+    sets = [random_joints(arms, 4400, seed=73), *joint_sets(arms, count=4, seed=75).values()]
+    q = np.concatenate(sets)
+    T = np.ascontiguousarray(forward(arm(arms), q), dtype=float)
+    T[:200] = T[:200].astype(np.float32)
+    T[200:400, :3, 3] *= 1.7
+    T[400:410, :3] = np.nan
+    T[410:420, 0, 3] = np.inf
+    T[420:430, :3, 0] *= -1.0
+    rows, status = module(name).ik_batch(T, *given(name, q))
+    for cores in (1, 3):
+        again = module(name).ik_batch(T, *given(name, q), cores=cores)
+        np.testing.assert_array_equal(again[0], rows)
+        np.testing.assert_array_equal(again[1], status)
+    others, other_status = one_by_one(name, T, q)
     np.testing.assert_array_equal(status, other_status)
+    np.testing.assert_array_equal(np.isnan(rows), np.isnan(others))
+    assert np.nanmax(np.abs(rows - others)) < 1e-9
+    assert {OK, UNREACHABLE, INVALID_POSE} <= set(np.unique(status).tolist())
+    for k in range(0, len(T), 97):
+        table, kinds = module(name).ik_all(T[k], *(each[k] for each in given(name, q)))
+        np.testing.assert_array_equal(table, others[k])
+        np.testing.assert_array_equal(kinds, other_status[k])
 
 
 @pytest.mark.parametrize("name", ["puma560", "scara", "planar_rr"])
@@ -185,12 +212,12 @@ def test_control_loops_allocate_nothing(name: str) -> None:
     T = np.concatenate([exact, exact.astype(np.float32)]).astype(float)
     rows = np.empty((python.MAX_SOLUTIONS, python.DOF))
     status = np.empty(python.MAX_SOLUTIONS, np.uint8)
-    solve, seed = python._ik, np.zeros(python.DOF)
+    solve, seed = python.ik_into, np.zeros(python.DOF)
 
     @njit  # from Python, the call itself makes a record for each array
     def loop(T, rows, status):  # type: ignore[no-untyped-def]
         for k in range(len(T)):
-            solve(T[k], seed, rows, status)
+            solve(T[k], rows, status, seed)
 
     def allocations(poses: FloatArray) -> int:
         before = _nrt.memsys_get_stats_alloc()
