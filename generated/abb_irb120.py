@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "abb_irb120"
 METHOD = "closed form"
@@ -75,6 +76,23 @@ k1 = 0.16308  # 2 * d4 * a2 [m^2]
 k2 = 0.03780000000000001  # 2 * a3 * a2 [m^2]
 k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+turn1 = 1.3430303610541368  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.879790001  # lowest value of joint 1
+high1 = 2.879790001  # highest value of joint 1
+low2 = -1.919860001  # lowest value of joint 2
+high2 = 1.919860001  # highest value of joint 2
+low3 = -1.919860001  # lowest value of joint 3
+high3 = 1.221730001  # highest value of joint 3
+low4 = -2.7925300010000003  # lowest value of joint 4
+high4 = 2.7925300010000003  # highest value of joint 4
+low5 = -2.094395001  # lowest value of joint 5
+high5 = 2.094395001  # highest value of joint 5
+m1 = 1.0080160000000003e-24  # free_limit1^2 [m^2]
+m2 = 1.0160962562560006e-48  # free_limit_squared2^2 [m^4]
+m3 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -91,7 +109,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -121,7 +139,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -187,6 +205,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -469,15 +490,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -491,6 +509,257 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    X1 = d6 * T11 - T14
+    t24 = T24 - d6 * T21
+    v1 = X1 * X1 + t24 * t24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = X1 * factor1
+    s1 = t24 * factor1
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d6 * T31 - d1
+    N3 = v1 + Z1_3 * Z1_3
+    K3 = N3 - k3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v3 = w3 - w3
+    v4 = k1 * K3
+    v5 = k2 * w3
+    s3_p = k4 * (v5 - v4)
+    v6 = k4 * (v4 + v5)
+    v7 = k2 * K3
+    v8 = k1 * w3
+    c3_p = k4 * (v7 + v8)
+    c3_m = k4 * (v7 - v8)
+    angle1 = _atan2(w3, K3)
+    q3__p = angle1 - turn1
+    v9 = turn1 + angle1
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+    X1_2_m = a2 + (a3 * c3_m + d4 * v6)
+    Y1_2_p = d4 * c3_p + a3 * s3_p
+    Y1_2_m = d4 * c3_m - a3 * v6
+    v10 = Z1_3 * X1_2_p
+    v11 = Z1_3 * X1_2_m
+    v12 = w1 * Y1_2_p
+    v13 = w1 * Y1_2_m
+    S2_pp = v10 - v12
+    S2_pm = v11 - v13
+    S2_mp = v10 + v12
+    S2_mm = v11 + v13
+    v14 = w1 * X1_2_p
+    v15 = w1 * X1_2_m
+    v16 = Z1_3 * Y1_2_p
+    v17 = Z1_3 * Y1_2_m
+    C2_pp = v14 + v16
+    C2_pm = v15 + v17
+    C2_mp = v16 - v14
+    C2_mm = v17 - v15
+    v18 = S2_pp * S2_pp + C2_pp * C2_pp
+    v19 = S2_pm * S2_pm + C2_pm * C2_pm
+    v20 = S2_mp * S2_mp + C2_mp * C2_mp
+    v21 = S2_mm * S2_mm + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v18)
+    factor2_pm = 1.0 / math.sqrt(v19)
+    factor2_mp = 1.0 / math.sqrt(v20)
+    factor2_mm = 1.0 / math.sqrt(v21)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c23_pp = c3_p * c2_pp - s3_p * s2_pp
+    c23_pm = c3_m * c2_pm + v6 * s2_pm
+    c23_mp = c3_p * c2_mp - s3_p * s2_mp
+    c23_mm = c3_m * c2_mm + v6 * s2_mm
+    s23_pp = c3_p * s2_pp + s3_p * c2_pp
+    s23_pm = c3_m * s2_pm - v6 * c2_pm
+    s23_mp = c3_p * s2_mp + s3_p * c2_mp
+    s23_mm = c3_m * s2_mm - v6 * c2_mm
+    v22 = T21 * s1 - T11 * v2
+    c4_pp = T31 * s23_pp + c23_pp * v22
+    c4_pm = T31 * s23_pm + c23_pm * v22
+    c4_mp = T31 * s23_mp - c23_mp * v22
+    c4_mm = T31 * s23_mm - c23_mm * v22
+    v23 = T21 * v2 + T11 * s1
+    v24 = v23 * v23
+    v25 = v24 + c4_pp * c4_pp
+    v26 = v24 + c4_pm * c4_pm
+    v27 = v24 + c4_mp * c4_mp
+    v28 = v24 + c4_mm * c4_mm
+    angle1_ = _atan2(-v23, c4_pp)
+    angle1__ = _atan2(-v23, c4_pm)
+    angle1___ = _atan2(v23, c4_mp)
+    angle1____ = _atan2(v23, c4_mm)
+    v29 = math.copysign(half_turn, -v23) * h1
+    v30 = math.copysign(half_turn, v23) * h1
+    q4_ppm = angle1_ - v29
+    q4_pmm = angle1__ - v29
+    q4_mpm = angle1___ - v30
+    q4_mmm = angle1____ - v30
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v31 = s1 * T12 + v2 * T22
+    v32 = s1 * T22 - v2 * T12
+    v33 = v2 * T23 + s1 * T13
+    v34 = s1 * T23 - v2 * T13
+    v35 = v23 * (s23_pp * T33 + c23_pp * v34) - c4_pp * v33
+    v36 = v23 * (s23_pm * T33 + c23_pm * v34) - c4_pm * v33
+    v37 = c4_mp * v33 - v23 * (s23_mp * T33 - c23_mp * v34)
+    v38 = c4_mm * v33 - v23 * (s23_mm * T33 - c23_mm * v34)
+    angle1_____ = _atan2(v35, c4_pp * v31 - v23 * (s23_pp * T32 + c23_pp * v32))
+    angle1______ = _atan2(v36, c4_pm * v31 - v23 * (s23_pm * T32 + c23_pm * v32))
+    angle1_______ = _atan2(v37, v23 * (s23_mp * T32 - c23_mp * v32) - c4_mp * v31)
+    angle1________ = _atan2(v38, v23 * (s23_mm * T32 - c23_mm * v32) - c4_mm * v31)
+    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v35)
+    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v36)
+    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v37)
+    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v38)
+
+    # joint values
+    angle1_________ = _atan2(t24, -X1)
+    v39 = angle1_________ - offset1
+    v40 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+    q1__p = v39 + (m5 if v39 <= -half_turn else 0.0)
+    q1__m = v40 + (m5 if v40 <= -half_turn else 0.0)
+    angle1__________ = _atan2(S2_pp, C2_pp)
+    v41 = angle1__________ - offset2
+    angle1___________ = _atan2(S2_pm, C2_pm)
+    v42 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_mp, C2_mp)
+    v43 = angle1____________ - offset2
+    angle1_____________ = _atan2(S2_mm, C2_mm)
+    v44 = angle1_____________ - offset2
+    q2_ppp = v41 + (m5 if v41 <= -half_turn else 0.0)
+    q2_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
+    q2_mpp = v43 + (m5 if v43 <= -half_turn else 0.0)
+    q2_mmp = v44 + (m5 if v44 <= -half_turn else 0.0)
+    angle1______________ = _atan2(math.sqrt(v25), s23_pp * v22 - T31 * c23_pp)
+    angle1_______________ = _atan2(math.sqrt(v26), s23_pm * v22 - T31 * c23_pm)
+    angle1________________ = _atan2(math.sqrt(v27), -(s23_mp * v22 + T31 * c23_mp))
+    angle1_________________ = _atan2(math.sqrt(v28), -(s23_mm * v22 + T31 * c23_mm))
+    v45 = angle1______________ - offset5
+    v46 = offset5 + angle1______________
+    v47 = angle1_______________ - offset5
+    v48 = offset5 + angle1_______________
+    v49 = angle1________________ - offset5
+    v50 = offset5 + angle1________________
+    v51 = angle1_________________ - offset5
+    v52 = offset5 + angle1_________________
+    q5_ppp = v45 + (m5 if v45 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v46 <= -half_turn else 0.0) - v46
+    q5_pmp = v47 + (m5 if v47 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v48 <= -half_turn else 0.0) - v48
+    q5_mpp = v49 + (m5 if v49 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v50 <= -half_turn else 0.0) - v50
+    q5_mmp = v51 + (m5 if v51 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v52 <= -half_turn else 0.0) - v52
+    q3_ppp = q3__p + (m5 if q3__p <= -half_turn else 0.0)
+    q3_pmp = (m5 if -v9 <= -half_turn else 0.0) - v9
+    v53 = q1__p < low1 or high1 < q1__p
+    v54 = q1__m < low1 or high1 < q1__m
+    v55 = q3_ppp < low3 or high3 < q3_ppp
+    v56 = q3_pmp < low3 or high3 < q3_pmp
+    q1_ppp = v3 + q1__p
+    q1_mpp = v3 + q1__m
+    v57 = v55 or (v53 or (q2_ppp < low2 or high2 < q2_ppp))
+    v58 = v56 or (v53 or (q2_pmp < low2 or high2 < q2_pmp))
+    v59 = v55 or (v54 or (q2_mpp < low2 or high2 < q2_mpp))
+    v60 = v56 or (v54 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v57 or (angle1_ < low4 or high4 < angle1_))
+    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or (v57 or (q4_ppm < low4 or high4 < q4_ppm))
+    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v58 or (angle1__ < low4 or high4 < angle1__))
+    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or (v58 or (q4_pmm < low4 or high4 < q4_pmm))
+    outside_mpp = (
+        q5_mpp < low5 or high5 < q5_mpp or (v59 or (angle1___ < low4 or high4 < angle1___))
+    )
+    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or (v59 or (q4_mpm < low4 or high4 < q4_mpm))
+    outside_mmp = (
+        q5_mmp < low5 or high5 < q5_mmp or (v60 or (angle1____ < low4 or high4 < angle1____))
+    )
+    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or (v60 or (q4_mmm < low4 or high4 < q4_mmm))
+    doubt = (
+        v21 <= m2 or v28 <= m3 or (v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v1 <= m1 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v18 <= m2 or v25 <= m3))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1_____
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1__
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1______
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1___
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1_______
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1____
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -514,13 +783,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -537,10 +816,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -600,10 +877,409 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6304, 6336, 6368, 6400, 6432, 6464],
+    [6304, 6336, 6368, 6496, 6528, 6560],
+    [6304, 6592, 6624, 6656, 6688, 6720],
+    [6304, 6592, 6624, 6752, 6784, 6816],
+    [6848, 6880, 6368, 6912, 6944, 6976],
+    [6848, 6880, 6368, 7008, 7040, 7072],
+    [6848, 7104, 6624, 7136, 7168, 7200],
+    [6848, 7104, 6624, 7232, 7264, 7296],
+])
+_KINDS = np.array([7328, 7360, 7392, 7424, 7456, 7488, 7520, 7552])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7584)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T11 - T14
+            t24 = T24 - d6 * T21
+            v1 = X1 * X1 + t24 * t24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = X1 * factor1
+            s1 = t24 * factor1
+            Z1_3 = T34 - d6 * T31 - d1
+            N3 = v1 + Z1_3 * Z1_3
+            K3 = N3 - k3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v3 = w3 - w3
+            v4 = k1 * K3
+            v5 = k2 * w3
+            s3_p = k4 * (v5 - v4)
+            v6 = k4 * (v4 + v5)
+            v7 = k2 * K3
+            v8 = k1 * w3
+            c3_p = k4 * (v7 + v8)
+            c3_m = k4 * (v7 - v8)
+            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+            X1_2_m = a2 + (a3 * c3_m + d4 * v6)
+            Y1_2_p = d4 * c3_p + a3 * s3_p
+            Y1_2_m = d4 * c3_m - a3 * v6
+            v10 = Z1_3 * X1_2_p
+            v11 = Z1_3 * X1_2_m
+            v12 = w1 * Y1_2_p
+            v13 = w1 * Y1_2_m
+            S2_pp = v10 - v12
+            S2_pm = v11 - v13
+            S2_mp = v10 + v12
+            S2_mm = v11 + v13
+            v14 = w1 * X1_2_p
+            v15 = w1 * X1_2_m
+            v16 = Z1_3 * Y1_2_p
+            v17 = Z1_3 * Y1_2_m
+            C2_pp = v14 + v16
+            C2_pm = v15 + v17
+            C2_mp = v16 - v14
+            C2_mm = v17 - v15
+            v18 = S2_pp * S2_pp + C2_pp * C2_pp
+            v19 = S2_pm * S2_pm + C2_pm * C2_pm
+            v20 = S2_mp * S2_mp + C2_mp * C2_mp
+            v21 = S2_mm * S2_mm + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v18)
+            factor2_pm = 1.0 / math.sqrt(v19)
+            factor2_mp = 1.0 / math.sqrt(v20)
+            factor2_mm = 1.0 / math.sqrt(v21)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            c23_pp = c3_p * c2_pp - s3_p * s2_pp
+            c23_pm = c3_m * c2_pm + v6 * s2_pm
+            c23_mp = c3_p * c2_mp - s3_p * s2_mp
+            c23_mm = c3_m * c2_mm + v6 * s2_mm
+            s23_pp = c3_p * s2_pp + s3_p * c2_pp
+            s23_pm = c3_m * s2_pm - v6 * c2_pm
+            s23_mp = c3_p * s2_mp + s3_p * c2_mp
+            s23_mm = c3_m * s2_mm - v6 * c2_mm
+            v22 = T21 * s1 - T11 * v2
+            c4_pp = T31 * s23_pp + c23_pp * v22
+            c4_pm = T31 * s23_pm + c23_pm * v22
+            c4_mp = T31 * s23_mp - c23_mp * v22
+            c4_mm = T31 * s23_mm - c23_mm * v22
+            v23 = T21 * v2 + T11 * s1
+            v24 = v23 * v23
+            v25 = v24 + c4_pp * c4_pp
+            v26 = v24 + c4_pm * c4_pm
+            v27 = v24 + c4_mp * c4_mp
+            v28 = v24 + c4_mm * c4_mm
+            v29 = math.copysign(half_turn, -v23) * h1
+            v30 = math.copysign(half_turn, v23) * h1
+            v31 = s1 * T12 + v2 * T22
+            v32 = s1 * T22 - v2 * T12
+            v33 = v2 * T23 + s1 * T13
+            v34 = s1 * T23 - v2 * T13
+            v35 = v23 * (s23_pp * T33 + c23_pp * v34) - c4_pp * v33
+            v36 = v23 * (s23_pm * T33 + c23_pm * v34) - c4_pm * v33
+            v37 = c4_mp * v33 - v23 * (s23_mp * T33 - c23_mp * v34)
+            v38 = c4_mm * v33 - v23 * (s23_mm * T33 - c23_mm * v34)
+            doubt = (
+                v21 <= m2 or v28 <= m3 or (v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v1
+                <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
+                N3 and N3 < longest3_apart) or (v18 <= m2 or v25 <= m3))))
+            )
+            work[2496 + k] = t24
+            work[3168 + k] = v3
+            work[3200 + k] = v29
+            work[3232 + k] = v30
+            work[3104 + k] = v35
+            work[2464 + k] = v36
+            work[1728 + k] = v37
+            work[864 + k] = v38
+            work[3264 + k] = doubt
+            work[3296 + k] = w3
+            work[3328 + k] = -v23
+            work[3360 + k] = -v23
+            work[3392 + k] = v23
+            work[3424 + k] = v23
+            work[3456 + k] = v35
+            work[3488 + k] = v36
+            work[3520 + k] = v37
+            work[3552 + k] = v38
+            work[3584 + k] = t24
+            work[3616 + k] = S2_pp
+            work[3648 + k] = S2_pm
+            work[3680 + k] = S2_mp
+            work[3712 + k] = S2_mm
+            work[3744 + k] = math.sqrt(v25)
+            work[3776 + k] = math.sqrt(v26)
+            work[3808 + k] = math.sqrt(v27)
+            work[3840 + k] = math.sqrt(v28)
+            work[3872 + k] = K3
+            work[3904 + k] = c4_pp
+            work[3936 + k] = c4_pm
+            work[3968 + k] = c4_mp
+            work[4000 + k] = c4_mm
+            work[4032 + k] = c4_pp * v31 - v23 * (s23_pp * T32 + c23_pp * v32)
+            work[4064 + k] = c4_pm * v31 - v23 * (s23_pm * T32 + c23_pm * v32)
+            work[4096 + k] = v23 * (s23_mp * T32 - c23_mp * v32) - c4_mp * v31
+            work[4128 + k] = v23 * (s23_mm * T32 - c23_mm * v32) - c4_mm * v31
+            work[4160 + k] = -X1
+            work[4192 + k] = C2_pp
+            work[4224 + k] = C2_pm
+            work[4256 + k] = C2_mp
+            work[4288 + k] = C2_mm
+            work[4320 + k] = s23_pp * v22 - T31 * c23_pp
+            work[4352 + k] = s23_pm * v22 - T31 * c23_pm
+            work[4384 + k] = -(s23_mp * v22 + T31 * c23_mp)
+            work[4416 + k] = -(s23_mm * v22 + T31 * c23_mm)
+        for k in range(3296, 3872):
+            work[k] = _atan2(work[k], work[k + 576])
+        for k in range(0, 32):
+            v38 = work[864 + k]
+            v37 = work[1728 + k]
+            v36 = work[2464 + k]
+            t24 = work[2496 + k]
+            v35 = work[3104 + k]
+            v3 = work[3168 + k]
+            v29 = work[3200 + k]
+            v30 = work[3232 + k]
+            doubt = work[3264 + k] != 0.0
+            angle1 = work[3296 + k]
+            angle1_ = work[3328 + k]
+            angle1__ = work[3360 + k]
+            angle1___ = work[3392 + k]
+            angle1____ = work[3424 + k]
+            angle1_____ = work[3456 + k]
+            angle1______ = work[3488 + k]
+            angle1_______ = work[3520 + k]
+            angle1________ = work[3552 + k]
+            angle1_________ = work[3584 + k]
+            angle1__________ = work[3616 + k]
+            angle1___________ = work[3648 + k]
+            angle1____________ = work[3680 + k]
+            angle1_____________ = work[3712 + k]
+            angle1______________ = work[3744 + k]
+            angle1_______________ = work[3776 + k]
+            angle1________________ = work[3808 + k]
+            angle1_________________ = work[3840 + k]
+            q3__p = angle1 - turn1
+            v9 = turn1 + angle1
+            q4_ppm = angle1_ - v29
+            q4_pmm = angle1__ - v29
+            q4_mpm = angle1___ - v30
+            q4_mmm = angle1____ - v30
+            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v35)
+            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v36)
+            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v37)
+            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v38)
+            v39 = angle1_________ - offset1
+            v40 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+            q1__p = v39 + (m5 if v39 <= -half_turn else 0.0)
+            q1__m = v40 + (m5 if v40 <= -half_turn else 0.0)
+            v41 = angle1__________ - offset2
+            v42 = angle1___________ - offset2
+            v43 = angle1____________ - offset2
+            v44 = angle1_____________ - offset2
+            q2_ppp = v41 + (m5 if v41 <= -half_turn else 0.0)
+            q2_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
+            q2_mpp = v43 + (m5 if v43 <= -half_turn else 0.0)
+            q2_mmp = v44 + (m5 if v44 <= -half_turn else 0.0)
+            v45 = angle1______________ - offset5
+            v46 = offset5 + angle1______________
+            v47 = angle1_______________ - offset5
+            v48 = offset5 + angle1_______________
+            v49 = angle1________________ - offset5
+            v50 = offset5 + angle1________________
+            v51 = angle1_________________ - offset5
+            v52 = offset5 + angle1_________________
+            q5_ppp = v45 + (m5 if v45 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v46 <= -half_turn else 0.0) - v46
+            q5_pmp = v47 + (m5 if v47 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v48 <= -half_turn else 0.0) - v48
+            q5_mpp = v49 + (m5 if v49 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v50 <= -half_turn else 0.0) - v50
+            q5_mmp = v51 + (m5 if v51 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v52 <= -half_turn else 0.0) - v52
+            q3_ppp = q3__p + (m5 if q3__p <= -half_turn else 0.0)
+            q3_pmp = (m5 if -v9 <= -half_turn else 0.0) - v9
+            v53 = q1__p < low1 or high1 < q1__p
+            v54 = q1__m < low1 or high1 < q1__m
+            v55 = q3_ppp < low3 or high3 < q3_ppp
+            v56 = q3_pmp < low3 or high3 < q3_pmp
+            q1_ppp = v3 + q1__p
+            q1_mpp = v3 + q1__m
+            v57 = v55 or (v53 or (q2_ppp < low2 or high2 < q2_ppp))
+            v58 = v56 or (v53 or (q2_pmp < low2 or high2 < q2_pmp))
+            v59 = v55 or (v54 or (q2_mpp < low2 or high2 < q2_mpp))
+            v60 = v56 or (v54 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = (
+                q5_ppp < low5 or high5 < q5_ppp or (v57 or (angle1_ < low4 or high4 < angle1_))
+            )
+            outside_ppm = (
+                q5_ppm < low5 or high5 < q5_ppm or (v57 or (q4_ppm < low4 or high4 < q4_ppm))
+            )
+            outside_pmp = (
+                q5_pmp < low5 or high5 < q5_pmp or (v58 or (angle1__ < low4 or high4 < angle1__))
+            )
+            outside_pmm = (
+                q5_pmm < low5 or high5 < q5_pmm or (v58 or (q4_pmm < low4 or high4 < q4_pmm))
+            )
+            outside_mpp = (
+                q5_mpp < low5 or high5 < q5_mpp or (v59 or (angle1___ < low4 or high4 < angle1___))
+            )
+            outside_mpm = (
+                q5_mpm < low5 or high5 < q5_mpm or (v59 or (q4_mpm < low4 or high4 < q4_mpm))
+            )
+            outside_mmp = (
+                q5_mmp < low5 or high5 < q5_mmp or (v60 or (angle1____ < low4 or high4 <
+                angle1____))
+            )
+            outside_mmm = (
+                q5_mmm < low5 or high5 < q5_mmm or (v60 or (q4_mmm < low4 or high4 < q4_mmm))
+            )
+            _6304 = q1_ppp
+            work[6304 + k] = _6304
+            _6336 = q2_ppp
+            work[6336 + k] = _6336
+            _6368 = q3_ppp
+            work[6368 + k] = _6368
+            _6400 = angle1_
+            work[6400 + k] = _6400
+            _6432 = q5_ppp
+            work[6432 + k] = _6432
+            _6464 = angle1_____
+            work[6464 + k] = _6464
+            _6496 = q4_ppm
+            work[6496 + k] = _6496
+            _6528 = q5_ppm
+            work[6528 + k] = _6528
+            _6560 = q6_ppm
+            work[6560 + k] = _6560
+            _6592 = q2_pmp
+            work[6592 + k] = _6592
+            _6624 = q3_pmp
+            work[6624 + k] = _6624
+            _6656 = angle1__
+            work[6656 + k] = _6656
+            _6688 = q5_pmp
+            work[6688 + k] = _6688
+            _6720 = angle1______
+            work[6720 + k] = _6720
+            _6752 = q4_pmm
+            work[6752 + k] = _6752
+            _6784 = q5_pmm
+            work[6784 + k] = _6784
+            _6816 = q6_pmm
+            work[6816 + k] = _6816
+            _6848 = q1_mpp
+            work[6848 + k] = _6848
+            _6880 = q2_mpp
+            work[6880 + k] = _6880
+            _6912 = angle1___
+            work[6912 + k] = _6912
+            _6944 = q5_mpp
+            work[6944 + k] = _6944
+            _6976 = angle1_______
+            work[6976 + k] = _6976
+            _7008 = q4_mpm
+            work[7008 + k] = _7008
+            _7040 = q5_mpm
+            work[7040 + k] = _7040
+            _7072 = q6_mpm
+            work[7072 + k] = _7072
+            _7104 = q2_mmp
+            work[7104 + k] = _7104
+            _7136 = angle1____
+            work[7136 + k] = _7136
+            _7168 = q5_mmp
+            work[7168 + k] = _7168
+            _7200 = angle1________
+            work[7200 + k] = _7200
+            _7232 = q4_mmm
+            work[7232 + k] = _7232
+            _7264 = q5_mmm
+            work[7264 + k] = _7264
+            _7296 = q6_mmm
+            work[7296 + k] = _7296
+            work[7328 + k] = (
+                UNREACHABLE if _6304 != _6304 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[7360 + k] = (
+                UNREACHABLE if _6304 != _6304 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[7392 + k] = (
+                UNREACHABLE if _6304 != _6304 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[7424 + k] = (
+                UNREACHABLE if _6304 != _6304 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[7456 + k] = (
+                UNREACHABLE if _6848 != _6848 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[7488 + k] = (
+                UNREACHABLE if _6848 != _6848 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[7520 + k] = (
+                UNREACHABLE if _6848 != _6848 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[7552 + k] = (
+                UNREACHABLE if _6848 != _6848 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -614,14 +1290,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "abb_irb1600"
 METHOD = "closed form"
@@ -76,6 +77,12 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.84  # 2 * d4 * a2 [m^2]
 k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 4.00600225e-24  # free_limit1^2 [m^2]
+m3 = 1.604805402700506e-47  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -92,7 +99,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -122,7 +129,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -191,6 +198,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -474,15 +484,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -496,6 +503,254 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    v1 = wx * wx + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = wx * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -wx)
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * (N3_p - k2)
+    v7 = k1 * (N3_m - k2)
+    s3_p = k3 * v6
+    s3_m = k3 * v7
+    v8 = k1 * w3_p
+    v9 = k1 * w3_m
+    v10 = k3 * v8
+    v11 = k3 * v9
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    v12 = d4 * v10
+    v13 = d4 * v11
+    Y1_2_p = a2 + d4 * s3_p
+    Y1_2_m = a2 + d4 * s3_m
+    v14 = Z1_3 * Y1_2_p
+    v15 = Z1_3 * Y1_2_m
+    v16 = v3 * v12
+    v17 = v4 * v13
+    S2_pp = v16 - v14
+    v18 = v14 + v16
+    S2_mp = v17 - v15
+    v19 = v15 + v17
+    v20 = v3 * Y1_2_p
+    v21 = v4 * Y1_2_m
+    v22 = Z1_3 * v12
+    v23 = Z1_3 * v13
+    v24 = v20 + v22
+    v25 = v20 - v22
+    v26 = v21 + v23
+    v27 = v21 - v23
+    v28 = S2_pp * S2_pp + v24 * v24
+    v29 = v18 * v18 + v25 * v25
+    v30 = S2_mp * S2_mp + v26 * v26
+    v31 = v19 * v19 + v27 * v27
+    factor2_pp = 1.0 / math.sqrt(v28)
+    factor2_pm = 1.0 / math.sqrt(v29)
+    factor2_mp = 1.0 / math.sqrt(v30)
+    factor2_mm = 1.0 / math.sqrt(v31)
+    v32 = v24 * factor2_pp
+    v33 = v25 * factor2_pm
+    v34 = v26 * factor2_mp
+    v35 = v27 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    v36 = v18 * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    v37 = v19 * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    v38 = s3_p * s2_pp - v10 * v32
+    v39 = v10 * v33 - s3_p * v36
+    v40 = s3_m * s2_mp - v11 * v34
+    v41 = v11 * v35 - s3_m * v37
+    v42 = s3_p * v32 + v10 * s2_pp
+    v43 = s3_p * v33 + v10 * v36
+    v44 = s3_m * v34 + v11 * s2_mp
+    v45 = s3_m * v35 + v11 * v37
+    v46 = T23 * s1 - T13 * v2
+    X4_pp = v38 * v46 - T33 * v42
+    X4_pm = v39 * v46 - T33 * v43
+    v47 = v40 * v46 + T33 * v44
+    v48 = v41 * v46 + T33 * v45
+    v49 = T23 * v2 + T13 * s1
+    v50 = v49 * v49
+    v51 = v50 + X4_pp * X4_pp
+    v52 = v50 + X4_pm * X4_pm
+    v53 = v50 + v47 * v47
+    v54 = v50 + v48 * v48
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v55 = s1 * T12 + v2 * T22
+    v56 = s1 * T22 - v2 * T12
+    v57 = s1 * T11 + v2 * T21
+    v58 = s1 * T21 - v2 * T11
+    v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31)
+    v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31)
+    v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57
+    v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57
+    angle1_ = _atan2(v59, v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32))
+    angle1__ = _atan2(v60, v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32))
+    angle1___ = _atan2(v61, v49 * (v40 * v56 + v44 * T32) - v47 * v55)
+    angle1____ = _atan2(v62, v49 * (v41 * v56 + v45 * T32) - v48 * v55)
+    q6_ppm = angle1_ - math.copysign(half_turn, v59) * h1
+    q6_pmm = angle1__ - math.copysign(half_turn, v60) * h1
+    q6_mpm = angle1___ - math.copysign(half_turn, v61) * h1
+    q6_mmm = angle1____ - math.copysign(half_turn, v62) * h1
+
+    # joint values
+    angle1_____ = _atan2(S2_pp, -v24)
+    v63 = angle1_____ - offset2
+    angle1______ = _atan2(-v18, -v25)
+    v64 = angle1______ - offset2
+    angle1_______ = _atan2(S2_mp, -v26)
+    v65 = angle1_______ - offset2
+    angle1________ = _atan2(-v19, -v27)
+    v66 = angle1________ - offset2
+    q2_ppp = v63 - (m5 if half_turn < v63 else 0.0)
+    q2_pmp = v64 - (m5 if half_turn < v64 else 0.0)
+    q2_mpp = v65 - (m5 if half_turn < v65 else 0.0)
+    q2_mmp = v66 - (m5 if half_turn < v66 else 0.0)
+    angle1_________ = _atan2(v6, -v8)
+    angle1__________ = _atan2(v7, -v9)
+    v67 = angle1_________ - offset3
+    v68 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
+    v69 = angle1__________ - offset3
+    v70 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+    q3_ppp = v67 + (m5 if v67 <= -half_turn else 0.0)
+    q3_pmp = v68 + (m5 if v68 <= -half_turn else 0.0)
+    q3_mpp = v69 + (m5 if v69 <= -half_turn else 0.0)
+    q3_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
+    angle1___________ = _atan2(-v49, -X4_pp)
+    angle1____________ = _atan2(-v49, -X4_pm)
+    angle1_____________ = _atan2(v49, v47)
+    angle1______________ = _atan2(v49, v48)
+    v71 = h1 * math.copysign(half_turn, -v49)
+    v72 = h1 * math.copysign(half_turn, v49)
+    v73 = angle1___________ - offset4
+    v74 = angle1___________ - v71 - offset4
+    v75 = angle1____________ - offset4
+    v76 = angle1____________ - v71 - offset4
+    v77 = angle1_____________ - offset4
+    v78 = angle1_____________ - v72 - offset4
+    v79 = angle1______________ - offset4
+    v80 = angle1______________ - v72 - offset4
+    q4_ppp = v73 + (m5 if v73 <= -half_turn else 0.0)
+    q4_ppm = v74 + (m5 if v74 <= -half_turn else 0.0)
+    q4_pmp = v75 + (m5 if v75 <= -half_turn else 0.0)
+    q4_pmm = v76 + (m5 if v76 <= -half_turn else 0.0)
+    q4_mpp = v77 + (m5 if v77 <= -half_turn else 0.0)
+    q4_mpm = v78 + (m5 if v78 <= -half_turn else 0.0)
+    q4_mmp = v79 + (m5 if v79 <= -half_turn else 0.0)
+    q4_mmm = v80 + (m5 if v80 <= -half_turn else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v51), T33 * v38 + v42 * v46)
+    angle1________________ = _atan2(math.sqrt(v52), T33 * v39 + v43 * v46)
+    angle1_________________ = _atan2(math.sqrt(v53), T33 * v40 - v44 * v46)
+    angle1__________________ = _atan2(math.sqrt(v54), T33 * v41 - v45 * v46)
+    v81 = angle1_______________ - offset5
+    v82 = offset5 + angle1_______________
+    v83 = angle1________________ - offset5
+    v84 = offset5 + angle1________________
+    v85 = angle1_________________ - offset5
+    v86 = offset5 + angle1_________________
+    v87 = angle1__________________ - offset5
+    v88 = offset5 + angle1__________________
+    q5_ppp = v81 + (m5 if v81 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v82 <= -half_turn else 0.0) - v82
+    q5_pmp = v83 + (m5 if v83 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v84 <= -half_turn else 0.0) - v84
+    q5_mpp = v85 + (m5 if v85 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v86 <= -half_turn else 0.0) - v86
+    q5_mmp = v87 + (m5 if v87 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v88 <= -half_turn else 0.0) - v88
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    doubt = (
+        v31 <= m3 or v54 <= m4 or (v30 <= m3 or v53 <= m4 or (v29 <= m3 or v52 <= m4 or (v28 <= m3
+        or v51 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1_
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1__
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1___
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1____
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -519,13 +774,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -542,10 +807,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -605,10 +868,390 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6336, 6368, 6400, 6432, 6464, 6496],
+    [6336, 6368, 6400, 6528, 6560, 6592],
+    [6336, 6624, 6656, 6688, 6720, 6752],
+    [6336, 6624, 6656, 6784, 6816, 6848],
+    [6880, 6912, 6944, 6976, 7008, 7040],
+    [6880, 6912, 6944, 7072, 7104, 7136],
+    [6880, 7168, 7200, 7232, 7264, 7296],
+    [6880, 7168, 7200, 7328, 7360, 7392],
+])
+_KINDS = np.array([7424, 7456, 7488, 7520, 7552, 7584, 7616, 7648])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7680)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            v1 = wx * wx + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = wx * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * (N3_p - k2)
+            v7 = k1 * (N3_m - k2)
+            s3_p = k3 * v6
+            s3_m = k3 * v7
+            v8 = k1 * w3_p
+            v9 = k1 * w3_m
+            v10 = k3 * v8
+            v11 = k3 * v9
+            v12 = d4 * v10
+            v13 = d4 * v11
+            Y1_2_p = a2 + d4 * s3_p
+            Y1_2_m = a2 + d4 * s3_m
+            v14 = Z1_3 * Y1_2_p
+            v15 = Z1_3 * Y1_2_m
+            v16 = v3 * v12
+            v17 = v4 * v13
+            S2_pp = v16 - v14
+            v18 = v14 + v16
+            S2_mp = v17 - v15
+            v19 = v15 + v17
+            v20 = v3 * Y1_2_p
+            v21 = v4 * Y1_2_m
+            v22 = Z1_3 * v12
+            v23 = Z1_3 * v13
+            v24 = v20 + v22
+            v25 = v20 - v22
+            v26 = v21 + v23
+            v27 = v21 - v23
+            v28 = S2_pp * S2_pp + v24 * v24
+            v29 = v18 * v18 + v25 * v25
+            v30 = S2_mp * S2_mp + v26 * v26
+            v31 = v19 * v19 + v27 * v27
+            factor2_pp = 1.0 / math.sqrt(v28)
+            factor2_pm = 1.0 / math.sqrt(v29)
+            factor2_mp = 1.0 / math.sqrt(v30)
+            factor2_mm = 1.0 / math.sqrt(v31)
+            v32 = v24 * factor2_pp
+            v33 = v25 * factor2_pm
+            v34 = v26 * factor2_mp
+            v35 = v27 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            v36 = v18 * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            v37 = v19 * factor2_mm
+            v38 = s3_p * s2_pp - v10 * v32
+            v39 = v10 * v33 - s3_p * v36
+            v40 = s3_m * s2_mp - v11 * v34
+            v41 = v11 * v35 - s3_m * v37
+            v42 = s3_p * v32 + v10 * s2_pp
+            v43 = s3_p * v33 + v10 * v36
+            v44 = s3_m * v34 + v11 * s2_mp
+            v45 = s3_m * v35 + v11 * v37
+            v46 = T23 * s1 - T13 * v2
+            X4_pp = v38 * v46 - T33 * v42
+            X4_pm = v39 * v46 - T33 * v43
+            v47 = v40 * v46 + T33 * v44
+            v48 = v41 * v46 + T33 * v45
+            v49 = T23 * v2 + T13 * s1
+            v50 = v49 * v49
+            v51 = v50 + X4_pp * X4_pp
+            v52 = v50 + X4_pm * X4_pm
+            v53 = v50 + v47 * v47
+            v54 = v50 + v48 * v48
+            v55 = s1 * T12 + v2 * T22
+            v56 = s1 * T22 - v2 * T12
+            v57 = s1 * T11 + v2 * T21
+            v58 = s1 * T21 - v2 * T11
+            v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31)
+            v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31)
+            v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57
+            v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57
+            v71 = h1 * math.copysign(half_turn, -v49)
+            v72 = h1 * math.copysign(half_turn, v49)
+            doubt = (
+                v31 <= m3 or v54 <= m4 or (v30 <= m3 or v53 <= m4 or (v29 <= m3 or v52 <= m4 or (v28
+                <= m3 or v51 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[2816 + k] = Y1
+            work[1088 + k] = w3_p
+            work[2496 + k] = w3_m
+            work[2432 + k] = v6
+            work[2304 + k] = v7
+            work[768 + k] = v59
+            work[896 + k] = v60
+            work[2112 + k] = v61
+            work[608 + k] = v62
+            work[3296 + k] = v71
+            work[3328 + k] = v72
+            work[3360 + k] = doubt
+            work[3392 + k] = Y1
+            work[3424 + k] = v59
+            work[3456 + k] = v60
+            work[3488 + k] = v61
+            work[3520 + k] = v62
+            work[3552 + k] = S2_pp
+            work[3584 + k] = -v18
+            work[3616 + k] = S2_mp
+            work[3648 + k] = -v19
+            work[3680 + k] = v6
+            work[3712 + k] = v7
+            work[3744 + k] = -v49
+            work[3776 + k] = -v49
+            work[3808 + k] = v49
+            work[3840 + k] = v49
+            work[3872 + k] = math.sqrt(v51)
+            work[3904 + k] = math.sqrt(v52)
+            work[3936 + k] = math.sqrt(v53)
+            work[3968 + k] = math.sqrt(v54)
+            work[4000 + k] = -wx
+            work[4032 + k] = v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32)
+            work[4064 + k] = v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32)
+            work[4096 + k] = v49 * (v40 * v56 + v44 * T32) - v47 * v55
+            work[4128 + k] = v49 * (v41 * v56 + v45 * T32) - v48 * v55
+            work[4160 + k] = -v24
+            work[4192 + k] = -v25
+            work[4224 + k] = -v26
+            work[4256 + k] = -v27
+            work[4288 + k] = -v8
+            work[4320 + k] = -v9
+            work[4352 + k] = -X4_pp
+            work[4384 + k] = -X4_pm
+            work[4416 + k] = v47
+            work[4448 + k] = v48
+            work[4480 + k] = T33 * v38 + v42 * v46
+            work[4512 + k] = T33 * v39 + v43 * v46
+            work[4544 + k] = T33 * v40 - v44 * v46
+            work[4576 + k] = T33 * v41 - v45 * v46
+        for k in range(3392, 4000):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            v62 = work[608 + k]
+            v59 = work[768 + k]
+            v60 = work[896 + k]
+            w3_p = work[1088 + k]
+            v61 = work[2112 + k]
+            v7 = work[2304 + k]
+            v6 = work[2432 + k]
+            w3_m = work[2496 + k]
+            Y1 = work[2816 + k]
+            v71 = work[3296 + k]
+            v72 = work[3328 + k]
+            doubt = work[3360 + k] != 0.0
+            angle1 = work[3392 + k]
+            angle1_ = work[3424 + k]
+            angle1__ = work[3456 + k]
+            angle1___ = work[3488 + k]
+            angle1____ = work[3520 + k]
+            angle1_____ = work[3552 + k]
+            angle1______ = work[3584 + k]
+            angle1_______ = work[3616 + k]
+            angle1________ = work[3648 + k]
+            angle1_________ = work[3680 + k]
+            angle1__________ = work[3712 + k]
+            angle1___________ = work[3744 + k]
+            angle1____________ = work[3776 + k]
+            angle1_____________ = work[3808 + k]
+            angle1______________ = work[3840 + k]
+            angle1_______________ = work[3872 + k]
+            angle1________________ = work[3904 + k]
+            angle1_________________ = work[3936 + k]
+            angle1__________________ = work[3968 + k]
+            q6_ppm = angle1_ - math.copysign(half_turn, v59) * h1
+            q6_pmm = angle1__ - math.copysign(half_turn, v60) * h1
+            q6_mpm = angle1___ - math.copysign(half_turn, v61) * h1
+            q6_mmm = angle1____ - math.copysign(half_turn, v62) * h1
+            v63 = angle1_____ - offset2
+            v64 = angle1______ - offset2
+            v65 = angle1_______ - offset2
+            v66 = angle1________ - offset2
+            q2_ppp = v63 - (m5 if half_turn < v63 else 0.0)
+            q2_pmp = v64 - (m5 if half_turn < v64 else 0.0)
+            q2_mpp = v65 - (m5 if half_turn < v65 else 0.0)
+            q2_mmp = v66 - (m5 if half_turn < v66 else 0.0)
+            v67 = angle1_________ - offset3
+            v68 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
+            v69 = angle1__________ - offset3
+            v70 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+            q3_ppp = v67 + (m5 if v67 <= -half_turn else 0.0)
+            q3_pmp = v68 + (m5 if v68 <= -half_turn else 0.0)
+            q3_mpp = v69 + (m5 if v69 <= -half_turn else 0.0)
+            q3_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
+            v73 = angle1___________ - offset4
+            v74 = angle1___________ - v71 - offset4
+            v75 = angle1____________ - offset4
+            v76 = angle1____________ - v71 - offset4
+            v77 = angle1_____________ - offset4
+            v78 = angle1_____________ - v72 - offset4
+            v79 = angle1______________ - offset4
+            v80 = angle1______________ - v72 - offset4
+            q4_ppp = v73 + (m5 if v73 <= -half_turn else 0.0)
+            q4_ppm = v74 + (m5 if v74 <= -half_turn else 0.0)
+            q4_pmp = v75 + (m5 if v75 <= -half_turn else 0.0)
+            q4_pmm = v76 + (m5 if v76 <= -half_turn else 0.0)
+            q4_mpp = v77 + (m5 if v77 <= -half_turn else 0.0)
+            q4_mpm = v78 + (m5 if v78 <= -half_turn else 0.0)
+            q4_mmp = v79 + (m5 if v79 <= -half_turn else 0.0)
+            q4_mmm = v80 + (m5 if v80 <= -half_turn else 0.0)
+            v81 = angle1_______________ - offset5
+            v82 = offset5 + angle1_______________
+            v83 = angle1________________ - offset5
+            v84 = offset5 + angle1________________
+            v85 = angle1_________________ - offset5
+            v86 = offset5 + angle1_________________
+            v87 = angle1__________________ - offset5
+            v88 = offset5 + angle1__________________
+            q5_ppp = v81 + (m5 if v81 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v82 <= -half_turn else 0.0) - v82
+            q5_pmp = v83 + (m5 if v83 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v84 <= -half_turn else 0.0) - v84
+            q5_mpp = v85 + (m5 if v85 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v86 <= -half_turn else 0.0) - v86
+            q5_mmp = v87 + (m5 if v87 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v88 <= -half_turn else 0.0) - v88
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            _6336 = q1_ppp
+            work[6336 + k] = _6336
+            _6368 = q2_ppp
+            work[6368 + k] = _6368
+            _6400 = q3_ppp
+            work[6400 + k] = _6400
+            _6432 = q4_ppp
+            work[6432 + k] = _6432
+            _6464 = q5_ppp
+            work[6464 + k] = _6464
+            _6496 = angle1_
+            work[6496 + k] = _6496
+            _6528 = q4_ppm
+            work[6528 + k] = _6528
+            _6560 = q5_ppm
+            work[6560 + k] = _6560
+            _6592 = q6_ppm
+            work[6592 + k] = _6592
+            _6624 = q2_pmp
+            work[6624 + k] = _6624
+            _6656 = q3_pmp
+            work[6656 + k] = _6656
+            _6688 = q4_pmp
+            work[6688 + k] = _6688
+            _6720 = q5_pmp
+            work[6720 + k] = _6720
+            _6752 = angle1__
+            work[6752 + k] = _6752
+            _6784 = q4_pmm
+            work[6784 + k] = _6784
+            _6816 = q5_pmm
+            work[6816 + k] = _6816
+            _6848 = q6_pmm
+            work[6848 + k] = _6848
+            _6880 = q1_mpp
+            work[6880 + k] = _6880
+            _6912 = q2_mpp
+            work[6912 + k] = _6912
+            _6944 = q3_mpp
+            work[6944 + k] = _6944
+            _6976 = q4_mpp
+            work[6976 + k] = _6976
+            _7008 = q5_mpp
+            work[7008 + k] = _7008
+            _7040 = angle1___
+            work[7040 + k] = _7040
+            _7072 = q4_mpm
+            work[7072 + k] = _7072
+            _7104 = q5_mpm
+            work[7104 + k] = _7104
+            _7136 = q6_mpm
+            work[7136 + k] = _7136
+            _7168 = q2_mmp
+            work[7168 + k] = _7168
+            _7200 = q3_mmp
+            work[7200 + k] = _7200
+            _7232 = q4_mmp
+            work[7232 + k] = _7232
+            _7264 = q5_mmp
+            work[7264 + k] = _7264
+            _7296 = angle1____
+            work[7296 + k] = _7296
+            _7328 = q4_mmm
+            work[7328 + k] = _7328
+            _7360 = q5_mmm
+            work[7360 + k] = _7360
+            _7392 = q6_mmm
+            work[7392 + k] = _7392
+            work[7424 + k] = UNREACHABLE if _6336 != _6336 else OK
+            work[7456 + k] = UNREACHABLE if _6336 != _6336 else OK
+            work[7488 + k] = UNREACHABLE if _6336 != _6336 else OK
+            work[7520 + k] = UNREACHABLE if _6336 != _6336 else OK
+            work[7552 + k] = UNREACHABLE if _6880 != _6880 else OK
+            work[7584 + k] = UNREACHABLE if _6880 != _6880 else OK
+            work[7616 + k] = UNREACHABLE if _6880 != _6880 else OK
+            work[7648 + k] = UNREACHABLE if _6880 != _6880 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -619,14 +1262,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

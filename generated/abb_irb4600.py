@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "abb_irb4600"
 METHOD = "closed form"
@@ -74,6 +75,20 @@ k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
 k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.1268631397825131  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = 1.4338633792358526  # a constant angle [rad]
+low2 = -1.5707963277948966  # lowest value of joint 2
+high2 = 2.6179938789914945  # highest value of joint 2
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low3 = -3.141592654589793  # lowest value of joint 3
+high3 = 1.3089969399957473  # highest value of joint 3
+low5 = -2.181661565992912  # lowest value of joint 5
+high5 = 2.0943951033931953  # highest value of joint 5
+m1 = 1.1189024999999997e-23  # free_limit1^2 [m^2]
+m3 = 1.2519428045062496e-46  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -90,7 +105,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -179,6 +194,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -453,15 +471,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -475,6 +490,250 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 4]
+    t14 = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    v1 = t14 * t14 + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = t14 * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -t14)
+
+    # theta3, type 6: U1[3, 4] and U1[1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    K3_p = N3_p - k3
+    K3_m = N3_m - k3
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * K3_p
+    v7 = k1 * K3_m
+    v8 = k2 * w3_p
+    v9 = k2 * w3_m
+    s3_pp = k4 * (v8 - v6)
+    v10 = k4 * (v6 + v8)
+    s3_mp = k4 * (v9 - v7)
+    v11 = k4 * (v7 + v9)
+    v12 = k2 * K3_p
+    v13 = k2 * K3_m
+    v14 = k1 * w3_p
+    v15 = k1 * w3_m
+    c3_pp = k4 * (v12 + v14)
+    c3_pm = k4 * (v12 - v14)
+    c3_mp = k4 * (v13 + v15)
+    c3_mm = k4 * (v13 - v15)
+    angle1_ = _atan2(w3_p, K3_p)
+    angle1__ = _atan2(w3_m, K3_m)
+    q3__pp = angle1_ - turn1
+    v16 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v17 = turn1 + angle1__
+
+    # theta2, type 3: U1[1, 4] and U1[3, 4]
+    X1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+    X1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+    X1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+    X1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+    Y1_2_pp = d4 * c3_pp + a3 * s3_pp
+    Y1_2_pm = d4 * c3_pm - a3 * v10
+    Y1_2_mp = d4 * c3_mp + a3 * s3_mp
+    Y1_2_mm = d4 * c3_mm - a3 * v11
+    v18 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
+    v19 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
+    v20 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
+    v21 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
+    C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
+    C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
+    C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
+    C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
+    v22 = v18 * v18 + C2_pp * C2_pp
+    v23 = v19 * v19 + C2_pm * C2_pm
+    v24 = v20 * v20 + C2_mp * C2_mp
+    v25 = v21 * v21 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v22)
+    factor2_pm = 1.0 / math.sqrt(v23)
+    factor2_mp = 1.0 / math.sqrt(v24)
+    factor2_mm = 1.0 / math.sqrt(v25)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    v26 = v18 * factor2_pp
+    v27 = v19 * factor2_pm
+    v28 = v20 * factor2_mp
+    v29 = v21 * factor2_mm
+    angle1___ = _atan2(-v18, C2_pp)
+    angle1____ = _atan2(-v19, C2_pm)
+    angle1_____ = _atan2(-v20, C2_mp)
+    angle1______ = _atan2(-v21, C2_mm)
+
+    # theta4, type 2: U4[2, 3]
+    c23_pp = c3_pp * c2_pp + s3_pp * v26
+    c23_pm = c3_pm * c2_pm - v10 * v27
+    c23_mp = c3_mp * c2_mp + s3_mp * v28
+    c23_mm = c3_mm * c2_mm - v11 * v29
+    s23_pp = s3_pp * c2_pp - c3_pp * v26
+    v30 = v10 * c2_pm + c3_pm * v27
+    s23_mp = s3_mp * c2_mp - c3_mp * v28
+    v31 = v11 * c2_mm + c3_mm * v29
+    v32 = T23 * s1 - T13 * v2
+    X4_pp = T33 * c23_pp + s23_pp * v32
+    X4_pm = T33 * c23_pm - v30 * v32
+    X4_mp = T33 * c23_mp - s23_mp * v32
+    X4_mm = T33 * c23_mm + v31 * v32
+    v33 = T23 * v2 + T13 * s1
+    v34 = v33 * v33
+    v35 = v34 + X4_pp * X4_pp
+    v36 = v34 + X4_pm * X4_pm
+    v37 = v34 + X4_mp * X4_mp
+    v38 = v34 + X4_mm * X4_mm
+    angle1_______ = _atan2(-v33, -X4_pp)
+    angle1________ = _atan2(-v33, -X4_pm)
+    angle1_________ = _atan2(v33, -X4_mp)
+    angle1__________ = _atan2(v33, -X4_mm)
+    v39 = math.copysign(half_turn, -v33) * h1
+    v40 = math.copysign(half_turn, v33) * h1
+    q4_ppm = angle1_______ - v39
+    q4_pmm = angle1________ - v39
+    q4_mpm = angle1_________ - v40
+    q4_mmm = angle1__________ - v40
+
+    # theta5, type 3: U4[3, 3] and U4[1, 3]
+    angle1___________ = _atan2(math.sqrt(v35), c23_pp * v32 - T33 * s23_pp)
+    angle1____________ = _atan2(math.sqrt(v36), c23_pm * v32 + T33 * v30)
+    angle1_____________ = _atan2(math.sqrt(v37), -(c23_mp * v32 + T33 * s23_mp))
+    angle1______________ = _atan2(math.sqrt(v38), T33 * v31 - c23_mm * v32)
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
+    v41 = s1 * T12 + v2 * T22
+    v42 = s1 * T22 - v2 * T12
+    v43 = s1 * T11 + v2 * T21
+    v44 = s1 * T21 - v2 * T11
+    v45 = X4_pp * v43 - v33 * (c23_pp * T31 + s23_pp * v44)
+    v46 = X4_pm * v43 - v33 * (c23_pm * T31 - v30 * v44)
+    v47 = v33 * (c23_mp * T31 - s23_mp * v44) - X4_mp * v43
+    v48 = v33 * (c23_mm * T31 + v31 * v44) - X4_mm * v43
+    angle1_______________ = _atan2(v45, X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp * v42))
+    angle1________________ = _atan2(v46, X4_pm * v41 - v33 * (c23_pm * T32 - v30 * v42))
+    angle1_________________ = _atan2(v47, v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp * v41)
+    angle1__________________ = _atan2(v48, v33 * (c23_mm * T32 + v31 * v42) - X4_mm * v41)
+    q6_ppm = angle1_______________ - h1 * math.copysign(half_turn, v45)
+    q6_pmm = angle1________________ - h1 * math.copysign(half_turn, v46)
+    q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v47)
+    q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v48)
+
+    # joint values
+    v49 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+    v50 = (m5 if -v16 <= -half_turn else 0.0) - v16
+    v51 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+    v52 = (m5 if -v17 <= -half_turn else 0.0) - v17
+    v53 = v49 - (whole_turn if high3 < v49 else 0.0)
+    v54 = v50 - (whole_turn if high3 < v50 else 0.0)
+    v55 = v51 - (whole_turn if high3 < v51 else 0.0)
+    v56 = v52 - (whole_turn if high3 < v52 else 0.0)
+    v57 = v53 < low3 or high3 < v53
+    v58 = v54 < low3 or high3 < v54
+    v59 = v55 < low3 or high3 < v55
+    v60 = v56 < low3 or high3 < v56
+    q3_ppp = v49 if v57 else v53
+    q3_pmp = v50 if v58 else v54
+    q3_mpp = v51 if v59 else v55
+    q3_mmp = v52 if v60 else v56
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    v61 = v57 or (angle1___ < low2 or high2 < angle1___)
+    v62 = v58 or (angle1____ < low2 or high2 < angle1____)
+    v63 = v59 or (angle1_____ < low2 or high2 < angle1_____)
+    v64 = v60 or (angle1______ < low2 or high2 < angle1______)
+    outside_ppp = v61 or (angle1___________ < low5 or high5 < angle1___________)
+    outside_ppm = v61 or (-angle1___________ < low5 or high5 < -angle1___________)
+    outside_pmp = v62 or (angle1____________ < low5 or high5 < angle1____________)
+    outside_pmm = v62 or (-angle1____________ < low5 or high5 < -angle1____________)
+    outside_mpp = v63 or (angle1_____________ < low5 or high5 < angle1_____________)
+    outside_mpm = v63 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+    outside_mmp = v64 or (angle1______________ < low5 or high5 < angle1______________)
+    outside_mmm = v64 or (-angle1______________ < low5 or high5 < -angle1______________)
+    doubt = (
+        v25 <= m3 or v38 <= m4 or (v24 <= m3 or v37 <= m4 or (v23 <= m3 or v36 <= m4 or (v22 <= m3
+        or v35 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1___
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_______
+    q[0, 4] = angle1___________
+    q[0, 5] = angle1_______________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1___
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1___________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1____
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1________
+    q[2, 4] = angle1____________
+    q[2, 5] = angle1________________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1____
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1____________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1_____
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1_________
+    q[4, 4] = angle1_____________
+    q[4, 5] = angle1_________________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1_____
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1_____________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1______
+    q[6, 2] = q3_mmp
+    q[6, 3] = angle1__________
+    q[6, 4] = angle1______________
+    q[6, 5] = angle1__________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1______
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1______________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -498,13 +757,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -521,10 +790,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -584,10 +851,396 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6144, 6176, 6208, 6240, 6272, 6304],
+    [6144, 6176, 6208, 6336, 6368, 6400],
+    [6144, 6432, 6464, 6496, 6528, 6560],
+    [6144, 6432, 6464, 6592, 6624, 6656],
+    [6688, 6720, 6752, 6784, 6816, 6848],
+    [6688, 6720, 6752, 6880, 6912, 6944],
+    [6688, 6976, 7008, 7040, 7072, 7104],
+    [6688, 6976, 7008, 7136, 7168, 7200],
+])
+_KINDS = np.array([7232, 7264, 7296, 7328, 7360, 7392, 7424, 7456])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7488)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t14 = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            v1 = t14 * t14 + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = t14 * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            K3_p = N3_p - k3
+            K3_m = N3_m - k3
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * K3_p
+            v7 = k1 * K3_m
+            v8 = k2 * w3_p
+            v9 = k2 * w3_m
+            s3_pp = k4 * (v8 - v6)
+            v10 = k4 * (v6 + v8)
+            s3_mp = k4 * (v9 - v7)
+            v11 = k4 * (v7 + v9)
+            v12 = k2 * K3_p
+            v13 = k2 * K3_m
+            v14 = k1 * w3_p
+            v15 = k1 * w3_m
+            c3_pp = k4 * (v12 + v14)
+            c3_pm = k4 * (v12 - v14)
+            c3_mp = k4 * (v13 + v15)
+            c3_mm = k4 * (v13 - v15)
+            X1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+            X1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+            X1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+            X1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+            Y1_2_pp = d4 * c3_pp + a3 * s3_pp
+            Y1_2_pm = d4 * c3_pm - a3 * v10
+            Y1_2_mp = d4 * c3_mp + a3 * s3_mp
+            Y1_2_mm = d4 * c3_mm - a3 * v11
+            v18 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
+            v19 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
+            v20 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
+            v21 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
+            C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
+            C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
+            C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
+            C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
+            v22 = v18 * v18 + C2_pp * C2_pp
+            v23 = v19 * v19 + C2_pm * C2_pm
+            v24 = v20 * v20 + C2_mp * C2_mp
+            v25 = v21 * v21 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v22)
+            factor2_pm = 1.0 / math.sqrt(v23)
+            factor2_mp = 1.0 / math.sqrt(v24)
+            factor2_mm = 1.0 / math.sqrt(v25)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            v26 = v18 * factor2_pp
+            v27 = v19 * factor2_pm
+            v28 = v20 * factor2_mp
+            v29 = v21 * factor2_mm
+            c23_pp = c3_pp * c2_pp + s3_pp * v26
+            c23_pm = c3_pm * c2_pm - v10 * v27
+            c23_mp = c3_mp * c2_mp + s3_mp * v28
+            c23_mm = c3_mm * c2_mm - v11 * v29
+            s23_pp = s3_pp * c2_pp - c3_pp * v26
+            v30 = v10 * c2_pm + c3_pm * v27
+            s23_mp = s3_mp * c2_mp - c3_mp * v28
+            v31 = v11 * c2_mm + c3_mm * v29
+            v32 = T23 * s1 - T13 * v2
+            X4_pp = T33 * c23_pp + s23_pp * v32
+            X4_pm = T33 * c23_pm - v30 * v32
+            X4_mp = T33 * c23_mp - s23_mp * v32
+            X4_mm = T33 * c23_mm + v31 * v32
+            v33 = T23 * v2 + T13 * s1
+            v34 = v33 * v33
+            v35 = v34 + X4_pp * X4_pp
+            v36 = v34 + X4_pm * X4_pm
+            v37 = v34 + X4_mp * X4_mp
+            v38 = v34 + X4_mm * X4_mm
+            v39 = math.copysign(half_turn, -v33) * h1
+            v40 = math.copysign(half_turn, v33) * h1
+            v41 = s1 * T12 + v2 * T22
+            v42 = s1 * T22 - v2 * T12
+            v43 = s1 * T11 + v2 * T21
+            v44 = s1 * T21 - v2 * T11
+            v45 = X4_pp * v43 - v33 * (c23_pp * T31 + s23_pp * v44)
+            v46 = X4_pm * v43 - v33 * (c23_pm * T31 - v30 * v44)
+            v47 = v33 * (c23_mp * T31 - s23_mp * v44) - X4_mp * v43
+            v48 = v33 * (c23_mm * T31 + v31 * v44) - X4_mm * v43
+            doubt = (
+                v25 <= m3 or v38 <= m4 or (v24 <= m3 or v37 <= m4 or (v23 <= m3 or v36 <= m4 or (v22
+                <= m3 or v35 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[3040 + k] = Y1
+            work[1056 + k] = w3_p
+            work[2784 + k] = w3_m
+            work[3488 + k] = v39
+            work[3520 + k] = v40
+            work[2912 + k] = v45
+            work[2656 + k] = v46
+            work[2880 + k] = v47
+            work[1504 + k] = v48
+            work[3552 + k] = doubt
+            work[3584 + k] = Y1
+            work[3616 + k] = w3_p
+            work[3648 + k] = w3_m
+            work[3680 + k] = -v18
+            work[3712 + k] = -v19
+            work[3744 + k] = -v20
+            work[3776 + k] = -v21
+            work[3808 + k] = -v33
+            work[3840 + k] = -v33
+            work[3872 + k] = v33
+            work[3904 + k] = v33
+            work[3936 + k] = math.sqrt(v35)
+            work[3968 + k] = math.sqrt(v36)
+            work[4000 + k] = math.sqrt(v37)
+            work[4032 + k] = math.sqrt(v38)
+            work[4064 + k] = v45
+            work[4096 + k] = v46
+            work[4128 + k] = v47
+            work[4160 + k] = v48
+            work[4192 + k] = -t14
+            work[4224 + k] = K3_p
+            work[4256 + k] = K3_m
+            work[4288 + k] = C2_pp
+            work[4320 + k] = C2_pm
+            work[4352 + k] = C2_mp
+            work[4384 + k] = C2_mm
+            work[4416 + k] = -X4_pp
+            work[4448 + k] = -X4_pm
+            work[4480 + k] = -X4_mp
+            work[4512 + k] = -X4_mm
+            work[4544 + k] = c23_pp * v32 - T33 * s23_pp
+            work[4576 + k] = c23_pm * v32 + T33 * v30
+            work[4608 + k] = -(c23_mp * v32 + T33 * s23_mp)
+            work[4640 + k] = T33 * v31 - c23_mm * v32
+            work[4672 + k] = X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp * v42)
+            work[4704 + k] = X4_pm * v41 - v33 * (c23_pm * T32 - v30 * v42)
+            work[4736 + k] = v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp * v41
+            work[4768 + k] = v33 * (c23_mm * T32 + v31 * v42) - X4_mm * v41
+        for k in range(3584, 4192):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            w3_p = work[1056 + k]
+            v48 = work[1504 + k]
+            v46 = work[2656 + k]
+            w3_m = work[2784 + k]
+            v47 = work[2880 + k]
+            v45 = work[2912 + k]
+            Y1 = work[3040 + k]
+            v39 = work[3488 + k]
+            v40 = work[3520 + k]
+            doubt = work[3552 + k] != 0.0
+            angle1 = work[3584 + k]
+            angle1_ = work[3616 + k]
+            angle1__ = work[3648 + k]
+            angle1___ = work[3680 + k]
+            angle1____ = work[3712 + k]
+            angle1_____ = work[3744 + k]
+            angle1______ = work[3776 + k]
+            angle1_______ = work[3808 + k]
+            angle1________ = work[3840 + k]
+            angle1_________ = work[3872 + k]
+            angle1__________ = work[3904 + k]
+            angle1___________ = work[3936 + k]
+            angle1____________ = work[3968 + k]
+            angle1_____________ = work[4000 + k]
+            angle1______________ = work[4032 + k]
+            angle1_______________ = work[4064 + k]
+            angle1________________ = work[4096 + k]
+            angle1_________________ = work[4128 + k]
+            angle1__________________ = work[4160 + k]
+            q3__pp = angle1_ - turn1
+            v16 = turn1 + angle1_
+            q3__mp = angle1__ - turn1
+            v17 = turn1 + angle1__
+            q4_ppm = angle1_______ - v39
+            q4_pmm = angle1________ - v39
+            q4_mpm = angle1_________ - v40
+            q4_mmm = angle1__________ - v40
+            q6_ppm = angle1_______________ - h1 * math.copysign(half_turn, v45)
+            q6_pmm = angle1________________ - h1 * math.copysign(half_turn, v46)
+            q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v47)
+            q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v48)
+            v49 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+            v50 = (m5 if -v16 <= -half_turn else 0.0) - v16
+            v51 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+            v52 = (m5 if -v17 <= -half_turn else 0.0) - v17
+            v53 = v49 - (whole_turn if high3 < v49 else 0.0)
+            v54 = v50 - (whole_turn if high3 < v50 else 0.0)
+            v55 = v51 - (whole_turn if high3 < v51 else 0.0)
+            v56 = v52 - (whole_turn if high3 < v52 else 0.0)
+            v57 = v53 < low3 or high3 < v53
+            v58 = v54 < low3 or high3 < v54
+            v59 = v55 < low3 or high3 < v55
+            v60 = v56 < low3 or high3 < v56
+            q3_ppp = v49 if v57 else v53
+            q3_pmp = v50 if v58 else v54
+            q3_mpp = v51 if v59 else v55
+            q3_mmp = v52 if v60 else v56
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            v61 = v57 or (angle1___ < low2 or high2 < angle1___)
+            v62 = v58 or (angle1____ < low2 or high2 < angle1____)
+            v63 = v59 or (angle1_____ < low2 or high2 < angle1_____)
+            v64 = v60 or (angle1______ < low2 or high2 < angle1______)
+            outside_ppp = v61 or (angle1___________ < low5 or high5 < angle1___________)
+            outside_ppm = v61 or (-angle1___________ < low5 or high5 < -angle1___________)
+            outside_pmp = v62 or (angle1____________ < low5 or high5 < angle1____________)
+            outside_pmm = v62 or (-angle1____________ < low5 or high5 < -angle1____________)
+            outside_mpp = v63 or (angle1_____________ < low5 or high5 < angle1_____________)
+            outside_mpm = v63 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+            outside_mmp = v64 or (angle1______________ < low5 or high5 < angle1______________)
+            outside_mmm = v64 or (-angle1______________ < low5 or high5 < -angle1______________)
+            _6144 = q1_ppp
+            work[6144 + k] = _6144
+            _6176 = angle1___
+            work[6176 + k] = _6176
+            _6208 = q3_ppp
+            work[6208 + k] = _6208
+            _6240 = angle1_______
+            work[6240 + k] = _6240
+            _6272 = angle1___________
+            work[6272 + k] = _6272
+            _6304 = angle1_______________
+            work[6304 + k] = _6304
+            _6336 = q4_ppm
+            work[6336 + k] = _6336
+            _6368 = -angle1___________
+            work[6368 + k] = _6368
+            _6400 = q6_ppm
+            work[6400 + k] = _6400
+            _6432 = angle1____
+            work[6432 + k] = _6432
+            _6464 = q3_pmp
+            work[6464 + k] = _6464
+            _6496 = angle1________
+            work[6496 + k] = _6496
+            _6528 = angle1____________
+            work[6528 + k] = _6528
+            _6560 = angle1________________
+            work[6560 + k] = _6560
+            _6592 = q4_pmm
+            work[6592 + k] = _6592
+            _6624 = -angle1____________
+            work[6624 + k] = _6624
+            _6656 = q6_pmm
+            work[6656 + k] = _6656
+            _6688 = q1_mpp
+            work[6688 + k] = _6688
+            _6720 = angle1_____
+            work[6720 + k] = _6720
+            _6752 = q3_mpp
+            work[6752 + k] = _6752
+            _6784 = angle1_________
+            work[6784 + k] = _6784
+            _6816 = angle1_____________
+            work[6816 + k] = _6816
+            _6848 = angle1_________________
+            work[6848 + k] = _6848
+            _6880 = q4_mpm
+            work[6880 + k] = _6880
+            _6912 = -angle1_____________
+            work[6912 + k] = _6912
+            _6944 = q6_mpm
+            work[6944 + k] = _6944
+            _6976 = angle1______
+            work[6976 + k] = _6976
+            _7008 = q3_mmp
+            work[7008 + k] = _7008
+            _7040 = angle1__________
+            work[7040 + k] = _7040
+            _7072 = angle1______________
+            work[7072 + k] = _7072
+            _7104 = angle1__________________
+            work[7104 + k] = _7104
+            _7136 = q4_mmm
+            work[7136 + k] = _7136
+            _7168 = -angle1______________
+            work[7168 + k] = _7168
+            _7200 = q6_mmm
+            work[7200 + k] = _7200
+            work[7232 + k] = (
+                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[7264 + k] = (
+                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[7296 + k] = (
+                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[7328 + k] = (
+                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[7360 + k] = (
+                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[7392 + k] = (
+                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[7424 + k] = (
+                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[7456 + k] = (
+                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -598,14 +1251,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

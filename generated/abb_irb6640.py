@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "abb_irb6640"
 METHOD = "closed form"
@@ -76,6 +77,22 @@ k1 = 2.9927999999999995  # 2 * d4 * a2 [m^2]
 k2 = 0.43  # 2 * a3 * a2 [m^2]
 k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = 1.4280947671350148  # a constant angle [rad]
+low1 = -2.967000001  # lowest value of joint 1
+high1 = 2.967000001  # highest value of joint 1
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -1.134000001  # lowest value of joint 2
+high2 = 1.4855000010000001  # highest value of joint 2
+low3 = -3.142000001  # lowest value of joint 3
+high3 = 1.222000001  # highest value of joint 3
+low5 = -2.094000001  # lowest value of joint 5
+high5 = 2.094000001  # highest value of joint 5
+m1 = 1.5737089000000004e-23  # free_limit1^2 [m^2]
+m3 = 2.4765597019392095e-46  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -92,7 +109,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -122,7 +139,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -189,6 +206,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -469,15 +489,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -491,6 +508,275 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    v1 = wx * wx + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = wx * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -wx)
+    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    K3_p = N3_p - k3
+    K3_m = N3_m - k3
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * K3_p
+    v7 = k1 * K3_m
+    v8 = k2 * w3_p
+    v9 = k2 * w3_m
+    s3_pp = k4 * (v8 - v6)
+    v10 = k4 * (v6 + v8)
+    s3_mp = k4 * (v9 - v7)
+    v11 = k4 * (v7 + v9)
+    v12 = k2 * K3_p
+    v13 = k2 * K3_m
+    v14 = k1 * w3_p
+    v15 = k1 * w3_m
+    c3_pp = k4 * (v12 + v14)
+    c3_pm = k4 * (v12 - v14)
+    c3_mp = k4 * (v13 + v15)
+    c3_mm = k4 * (v13 - v15)
+    angle1_ = _atan2(w3_p, K3_p)
+    angle1__ = _atan2(w3_m, K3_m)
+    q3__pp = angle1_ - turn1
+    v16 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v17 = turn1 + angle1__
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    v18 = d4 * c3_pp + a3 * s3_pp
+    v19 = d4 * c3_pm - a3 * v10
+    v20 = d4 * c3_mp + a3 * s3_mp
+    v21 = d4 * c3_mm - a3 * v11
+    Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+    Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+    Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+    Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+    S2_pp = v3 * v18 - Z1_3 * Y1_2_pp
+    S2_pm = v3 * v19 - Z1_3 * Y1_2_pm
+    S2_mp = v4 * v20 - Z1_3 * Y1_2_mp
+    S2_mm = v4 * v21 - Z1_3 * Y1_2_mm
+    v22 = Z1_3 * v18 + v3 * Y1_2_pp
+    v23 = Z1_3 * v19 + v3 * Y1_2_pm
+    v24 = Z1_3 * v20 + v4 * Y1_2_mp
+    v25 = Z1_3 * v21 + v4 * Y1_2_mm
+    v26 = S2_pp * S2_pp + v22 * v22
+    v27 = S2_pm * S2_pm + v23 * v23
+    v28 = S2_mp * S2_mp + v24 * v24
+    v29 = S2_mm * S2_mm + v25 * v25
+    factor2_pp = 1.0 / math.sqrt(v26)
+    factor2_pm = 1.0 / math.sqrt(v27)
+    factor2_mp = 1.0 / math.sqrt(v28)
+    factor2_mm = 1.0 / math.sqrt(v29)
+    v30 = v22 * factor2_pp
+    v31 = v23 * factor2_pm
+    v32 = v24 * factor2_mp
+    v33 = v25 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    v34 = c3_pp * v30 + s3_pp * s2_pp
+    v35 = c3_pm * v31 - v10 * s2_pm
+    v36 = c3_mp * v32 + s3_mp * s2_mp
+    v37 = c3_mm * v33 - v11 * s2_mm
+    s23_pp = c3_pp * s2_pp - s3_pp * v30
+    s23_pm = c3_pm * s2_pm + v10 * v31
+    s23_mp = c3_mp * s2_mp - s3_mp * v32
+    s23_mm = c3_mm * s2_mm + v11 * v33
+    v38 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s23_pp + v34 * v38
+    X4_pm = T33 * s23_pm + v35 * v38
+    X4_mp = T33 * s23_mp - v36 * v38
+    X4_mm = T33 * s23_mm - v37 * v38
+    Y4 = T13 * s1 + T23 * v2
+    v39 = Y4 * Y4
+    v40 = v39 + X4_pp * X4_pp
+    v41 = v39 + X4_pm * X4_pm
+    v42 = v39 + X4_mp * X4_mp
+    v43 = v39 + X4_mm * X4_mm
+    angle1___ = _atan2(Y4, -X4_pp)
+    angle1____ = _atan2(Y4, -X4_pm)
+    angle1_____ = _atan2(-Y4, -X4_mp)
+    angle1______ = _atan2(-Y4, -X4_mm)
+    v44 = h1 * math.copysign(half_turn, Y4)
+    v45 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1___ - v44
+    q4_pmm = angle1____ - v44
+    q4_mpm = angle1_____ - v45
+    q4_mmm = angle1______ - v45
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v46 = v2 * T22 + s1 * T12
+    v47 = s1 * T22 - v2 * T12
+    v48 = v2 * T21 + s1 * T11
+    v49 = s1 * T21 - v2 * T11
+    v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49)
+    v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49)
+    v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48
+    v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48
+    angle1_______ = _atan2(v50, X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47))
+    angle1________ = _atan2(v51, X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47))
+    angle1_________ = _atan2(v52, Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46)
+    angle1__________ = _atan2(v53, Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46)
+    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v50)
+    q6_pmm = angle1________ - h1 * math.copysign(half_turn, v51)
+    q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v52)
+    q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v53)
+
+    # joint values
+    angle1___________ = _atan2(S2_pp, -v22)
+    v54 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_pm, -v23)
+    v55 = angle1____________ - offset2
+    angle1_____________ = _atan2(S2_mp, -v24)
+    v56 = angle1_____________ - offset2
+    angle1______________ = _atan2(S2_mm, -v25)
+    v57 = angle1______________ - offset2
+    q2_ppp = v54 - (m5 if half_turn < v54 else 0.0)
+    q2_pmp = v55 - (m5 if half_turn < v55 else 0.0)
+    q2_mpp = v56 - (m5 if half_turn < v56 else 0.0)
+    q2_mmp = v57 - (m5 if half_turn < v57 else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v40), s23_pp * v38 - T33 * v34)
+    angle1________________ = _atan2(math.sqrt(v41), s23_pm * v38 - T33 * v35)
+    angle1_________________ = _atan2(math.sqrt(v42), -(s23_mp * v38 + T33 * v36))
+    angle1__________________ = _atan2(math.sqrt(v43), -(s23_mm * v38 + T33 * v37))
+    v58 = angle1_______________ - offset5
+    v59 = offset5 + angle1_______________
+    v60 = angle1________________ - offset5
+    v61 = offset5 + angle1________________
+    v62 = angle1_________________ - offset5
+    v63 = offset5 + angle1_________________
+    v64 = angle1__________________ - offset5
+    v65 = offset5 + angle1__________________
+    q5_ppp = v58 + (m5 if v58 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v59 <= -half_turn else 0.0) - v59
+    q5_pmp = v60 + (m5 if v60 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v61 <= -half_turn else 0.0) - v61
+    q5_mpp = v62 + (m5 if v62 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v63 <= -half_turn else 0.0) - v63
+    q5_mmp = v64 + (m5 if v64 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v65 <= -half_turn else 0.0) - v65
+    v66 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+    v67 = (m5 if -v16 <= -half_turn else 0.0) - v16
+    v68 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+    v69 = (m5 if -v17 <= -half_turn else 0.0) - v17
+    v70 = angle1 < low1 or high1 < angle1
+    v71 = q1__m < low1 or high1 < q1__m
+    v72 = v66 - (whole_turn if high3 < v66 else 0.0)
+    v73 = v67 - (whole_turn if high3 < v67 else 0.0)
+    v74 = v68 - (whole_turn if high3 < v68 else 0.0)
+    v75 = v69 - (whole_turn if high3 < v69 else 0.0)
+    v76 = v72 < low3 or high3 < v72
+    v77 = v73 < low3 or high3 < v73
+    v78 = v74 < low3 or high3 < v74
+    v79 = v75 < low3 or high3 < v75
+    q3_ppp = v66 if v76 else v72
+    q3_pmp = v67 if v77 else v73
+    q3_mpp = v68 if v78 else v74
+    q3_mmp = v69 if v79 else v75
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = q1__m + (w3_m - w3_m)
+    v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
+    v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
+    v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
+    v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt = (
+        v29 <= m3 or v43 <= m4 or (v28 <= m3 or v42 <= m4 or (v27 <= m3 or v41 <= m4 or (v26 <= m3
+        or v40 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1___
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1_______
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1____
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1_____
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1_________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = angle1______
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1__________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -514,13 +800,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -537,10 +833,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -600,10 +894,423 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [7008, 7040, 7072, 7104, 7136, 7168],
+    [7008, 7040, 7072, 7200, 7232, 7264],
+    [7008, 7296, 7328, 7360, 7392, 7424],
+    [7008, 7296, 7328, 7456, 7488, 7520],
+    [7552, 7584, 7616, 7648, 7680, 7712],
+    [7552, 7584, 7616, 7744, 7776, 7808],
+    [7552, 7840, 7872, 7904, 7936, 7968],
+    [7552, 7840, 7872, 8000, 8032, 8064],
+])
+_KINDS = np.array([8096, 8128, 8160, 8192, 8224, 8256, 8288, 8320])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(8352)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            v1 = wx * wx + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = wx * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            K3_p = N3_p - k3
+            K3_m = N3_m - k3
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * K3_p
+            v7 = k1 * K3_m
+            v8 = k2 * w3_p
+            v9 = k2 * w3_m
+            s3_pp = k4 * (v8 - v6)
+            v10 = k4 * (v6 + v8)
+            s3_mp = k4 * (v9 - v7)
+            v11 = k4 * (v7 + v9)
+            v12 = k2 * K3_p
+            v13 = k2 * K3_m
+            v14 = k1 * w3_p
+            v15 = k1 * w3_m
+            c3_pp = k4 * (v12 + v14)
+            c3_pm = k4 * (v12 - v14)
+            c3_mp = k4 * (v13 + v15)
+            c3_mm = k4 * (v13 - v15)
+            v18 = d4 * c3_pp + a3 * s3_pp
+            v19 = d4 * c3_pm - a3 * v10
+            v20 = d4 * c3_mp + a3 * s3_mp
+            v21 = d4 * c3_mm - a3 * v11
+            Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+            Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+            Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+            Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+            S2_pp = v3 * v18 - Z1_3 * Y1_2_pp
+            S2_pm = v3 * v19 - Z1_3 * Y1_2_pm
+            S2_mp = v4 * v20 - Z1_3 * Y1_2_mp
+            S2_mm = v4 * v21 - Z1_3 * Y1_2_mm
+            v22 = Z1_3 * v18 + v3 * Y1_2_pp
+            v23 = Z1_3 * v19 + v3 * Y1_2_pm
+            v24 = Z1_3 * v20 + v4 * Y1_2_mp
+            v25 = Z1_3 * v21 + v4 * Y1_2_mm
+            v26 = S2_pp * S2_pp + v22 * v22
+            v27 = S2_pm * S2_pm + v23 * v23
+            v28 = S2_mp * S2_mp + v24 * v24
+            v29 = S2_mm * S2_mm + v25 * v25
+            factor2_pp = 1.0 / math.sqrt(v26)
+            factor2_pm = 1.0 / math.sqrt(v27)
+            factor2_mp = 1.0 / math.sqrt(v28)
+            factor2_mm = 1.0 / math.sqrt(v29)
+            v30 = v22 * factor2_pp
+            v31 = v23 * factor2_pm
+            v32 = v24 * factor2_mp
+            v33 = v25 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            v34 = c3_pp * v30 + s3_pp * s2_pp
+            v35 = c3_pm * v31 - v10 * s2_pm
+            v36 = c3_mp * v32 + s3_mp * s2_mp
+            v37 = c3_mm * v33 - v11 * s2_mm
+            s23_pp = c3_pp * s2_pp - s3_pp * v30
+            s23_pm = c3_pm * s2_pm + v10 * v31
+            s23_mp = c3_mp * s2_mp - s3_mp * v32
+            s23_mm = c3_mm * s2_mm + v11 * v33
+            v38 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s23_pp + v34 * v38
+            X4_pm = T33 * s23_pm + v35 * v38
+            X4_mp = T33 * s23_mp - v36 * v38
+            X4_mm = T33 * s23_mm - v37 * v38
+            Y4 = T13 * s1 + T23 * v2
+            v39 = Y4 * Y4
+            v40 = v39 + X4_pp * X4_pp
+            v41 = v39 + X4_pm * X4_pm
+            v42 = v39 + X4_mp * X4_mp
+            v43 = v39 + X4_mm * X4_mm
+            v44 = h1 * math.copysign(half_turn, Y4)
+            v45 = h1 * math.copysign(half_turn, -Y4)
+            v46 = v2 * T22 + s1 * T12
+            v47 = s1 * T22 - v2 * T12
+            v48 = v2 * T21 + s1 * T11
+            v49 = s1 * T21 - v2 * T11
+            v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49)
+            v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49)
+            v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48
+            v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48
+            doubt = (
+                v29 <= m3 or v43 <= m4 or (v28 <= m3 or v42 <= m4 or (v27 <= m3 or v41 <= m4 or (v26
+                <= m3 or v40 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[3008 + k] = Y1
+            work[1056 + k] = w3_p
+            work[2688 + k] = w3_m
+            work[3488 + k] = v44
+            work[3520 + k] = v45
+            work[1952 + k] = v50
+            work[3392 + k] = v51
+            work[1696 + k] = v52
+            work[2016 + k] = v53
+            work[3552 + k] = doubt
+            work[3584 + k] = Y1
+            work[3616 + k] = w3_p
+            work[3648 + k] = w3_m
+            work[3680 + k] = Y4
+            work[3712 + k] = Y4
+            work[3744 + k] = -Y4
+            work[3776 + k] = -Y4
+            work[3808 + k] = v50
+            work[3840 + k] = v51
+            work[3872 + k] = v52
+            work[3904 + k] = v53
+            work[3936 + k] = S2_pp
+            work[3968 + k] = S2_pm
+            work[4000 + k] = S2_mp
+            work[4032 + k] = S2_mm
+            work[4064 + k] = math.sqrt(v40)
+            work[4096 + k] = math.sqrt(v41)
+            work[4128 + k] = math.sqrt(v42)
+            work[4160 + k] = math.sqrt(v43)
+            work[4192 + k] = -wx
+            work[4224 + k] = K3_p
+            work[4256 + k] = K3_m
+            work[4288 + k] = -X4_pp
+            work[4320 + k] = -X4_pm
+            work[4352 + k] = -X4_mp
+            work[4384 + k] = -X4_mm
+            work[4416 + k] = X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47)
+            work[4448 + k] = X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47)
+            work[4480 + k] = Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46
+            work[4512 + k] = Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46
+            work[4544 + k] = -v22
+            work[4576 + k] = -v23
+            work[4608 + k] = -v24
+            work[4640 + k] = -v25
+            work[4672 + k] = s23_pp * v38 - T33 * v34
+            work[4704 + k] = s23_pm * v38 - T33 * v35
+            work[4736 + k] = -(s23_mp * v38 + T33 * v36)
+            work[4768 + k] = -(s23_mm * v38 + T33 * v37)
+        for k in range(3584, 4192):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            w3_p = work[1056 + k]
+            v52 = work[1696 + k]
+            v50 = work[1952 + k]
+            v53 = work[2016 + k]
+            w3_m = work[2688 + k]
+            Y1 = work[3008 + k]
+            v51 = work[3392 + k]
+            v44 = work[3488 + k]
+            v45 = work[3520 + k]
+            doubt = work[3552 + k] != 0.0
+            angle1 = work[3584 + k]
+            angle1_ = work[3616 + k]
+            angle1__ = work[3648 + k]
+            angle1___ = work[3680 + k]
+            angle1____ = work[3712 + k]
+            angle1_____ = work[3744 + k]
+            angle1______ = work[3776 + k]
+            angle1_______ = work[3808 + k]
+            angle1________ = work[3840 + k]
+            angle1_________ = work[3872 + k]
+            angle1__________ = work[3904 + k]
+            angle1___________ = work[3936 + k]
+            angle1____________ = work[3968 + k]
+            angle1_____________ = work[4000 + k]
+            angle1______________ = work[4032 + k]
+            angle1_______________ = work[4064 + k]
+            angle1________________ = work[4096 + k]
+            angle1_________________ = work[4128 + k]
+            angle1__________________ = work[4160 + k]
+            q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+            q3__pp = angle1_ - turn1
+            v16 = turn1 + angle1_
+            q3__mp = angle1__ - turn1
+            v17 = turn1 + angle1__
+            q4_ppm = angle1___ - v44
+            q4_pmm = angle1____ - v44
+            q4_mpm = angle1_____ - v45
+            q4_mmm = angle1______ - v45
+            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v50)
+            q6_pmm = angle1________ - h1 * math.copysign(half_turn, v51)
+            q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v52)
+            q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v53)
+            v54 = angle1___________ - offset2
+            v55 = angle1____________ - offset2
+            v56 = angle1_____________ - offset2
+            v57 = angle1______________ - offset2
+            q2_ppp = v54 - (m5 if half_turn < v54 else 0.0)
+            q2_pmp = v55 - (m5 if half_turn < v55 else 0.0)
+            q2_mpp = v56 - (m5 if half_turn < v56 else 0.0)
+            q2_mmp = v57 - (m5 if half_turn < v57 else 0.0)
+            v58 = angle1_______________ - offset5
+            v59 = offset5 + angle1_______________
+            v60 = angle1________________ - offset5
+            v61 = offset5 + angle1________________
+            v62 = angle1_________________ - offset5
+            v63 = offset5 + angle1_________________
+            v64 = angle1__________________ - offset5
+            v65 = offset5 + angle1__________________
+            q5_ppp = v58 + (m5 if v58 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v59 <= -half_turn else 0.0) - v59
+            q5_pmp = v60 + (m5 if v60 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v61 <= -half_turn else 0.0) - v61
+            q5_mpp = v62 + (m5 if v62 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v63 <= -half_turn else 0.0) - v63
+            q5_mmp = v64 + (m5 if v64 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v65 <= -half_turn else 0.0) - v65
+            v66 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+            v67 = (m5 if -v16 <= -half_turn else 0.0) - v16
+            v68 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+            v69 = (m5 if -v17 <= -half_turn else 0.0) - v17
+            v70 = angle1 < low1 or high1 < angle1
+            v71 = q1__m < low1 or high1 < q1__m
+            v72 = v66 - (whole_turn if high3 < v66 else 0.0)
+            v73 = v67 - (whole_turn if high3 < v67 else 0.0)
+            v74 = v68 - (whole_turn if high3 < v68 else 0.0)
+            v75 = v69 - (whole_turn if high3 < v69 else 0.0)
+            v76 = v72 < low3 or high3 < v72
+            v77 = v73 < low3 or high3 < v73
+            v78 = v74 < low3 or high3 < v74
+            v79 = v75 < low3 or high3 < v75
+            q3_ppp = v66 if v76 else v72
+            q3_pmp = v67 if v77 else v73
+            q3_mpp = v68 if v78 else v74
+            q3_mmp = v69 if v79 else v75
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = q1__m + (w3_m - w3_m)
+            v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
+            v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
+            v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
+            v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+            _7008 = q1_ppp
+            work[7008 + k] = _7008
+            _7040 = q2_ppp
+            work[7040 + k] = _7040
+            _7072 = q3_ppp
+            work[7072 + k] = _7072
+            _7104 = angle1___
+            work[7104 + k] = _7104
+            _7136 = q5_ppp
+            work[7136 + k] = _7136
+            _7168 = angle1_______
+            work[7168 + k] = _7168
+            _7200 = q4_ppm
+            work[7200 + k] = _7200
+            _7232 = q5_ppm
+            work[7232 + k] = _7232
+            _7264 = q6_ppm
+            work[7264 + k] = _7264
+            _7296 = q2_pmp
+            work[7296 + k] = _7296
+            _7328 = q3_pmp
+            work[7328 + k] = _7328
+            _7360 = angle1____
+            work[7360 + k] = _7360
+            _7392 = q5_pmp
+            work[7392 + k] = _7392
+            _7424 = angle1________
+            work[7424 + k] = _7424
+            _7456 = q4_pmm
+            work[7456 + k] = _7456
+            _7488 = q5_pmm
+            work[7488 + k] = _7488
+            _7520 = q6_pmm
+            work[7520 + k] = _7520
+            _7552 = q1_mpp
+            work[7552 + k] = _7552
+            _7584 = q2_mpp
+            work[7584 + k] = _7584
+            _7616 = q3_mpp
+            work[7616 + k] = _7616
+            _7648 = angle1_____
+            work[7648 + k] = _7648
+            _7680 = q5_mpp
+            work[7680 + k] = _7680
+            _7712 = angle1_________
+            work[7712 + k] = _7712
+            _7744 = q4_mpm
+            work[7744 + k] = _7744
+            _7776 = q5_mpm
+            work[7776 + k] = _7776
+            _7808 = q6_mpm
+            work[7808 + k] = _7808
+            _7840 = q2_mmp
+            work[7840 + k] = _7840
+            _7872 = q3_mmp
+            work[7872 + k] = _7872
+            _7904 = angle1______
+            work[7904 + k] = _7904
+            _7936 = q5_mmp
+            work[7936 + k] = _7936
+            _7968 = angle1__________
+            work[7968 + k] = _7968
+            _8000 = q4_mmm
+            work[8000 + k] = _8000
+            _8032 = q5_mmm
+            work[8032 + k] = _8032
+            _8064 = q6_mmm
+            work[8064 + k] = _8064
+            work[8096 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[8128 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[8160 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[8192 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[8224 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[8256 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[8288 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[8320 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -614,14 +1321,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

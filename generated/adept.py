@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "adept"
 METHOD = "closed form"
@@ -53,6 +54,10 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 3.3177599999999995e-35  # free_limit_squared2^2 [mm^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -70,7 +75,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -100,7 +105,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -128,6 +133,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -268,15 +276,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(1):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(1):
@@ -290,6 +295,63 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r3, type 1: U0[3, 4]
+    t34 = T14 - ez * T13
+    r3 = d1 - t34
+
+    # theta12, type 3: U0[1, 2] and U0[2, 2]
+    v1 = T32 * T32 + T22 * T22
+    v2 = 1.0 / math.sqrt(v1)
+    c12 = T22 * v2
+    s12 = T32 * v2
+
+    # theta1, type 3: U0[1, 4] and U0[2, 4]
+    t14 = T24 - ez * T23
+    v3 = l2 * c12
+    t24 = T34 - ez * T33 - zz
+    v4 = l2 * s12
+    v5 = l1 * (t24 - v4)
+    v6 = l1 * (t14 - v3)
+    v7 = v5 * v5 + v6 * v6
+    v8 = 1.0 / math.sqrt(v7)
+    angle1 = _atan2(v5, v6)
+
+    # is the pose one that the arm can take?
+    v9 = (
+        0.0 if (abs(t34 - (d1 - r3)) <= pose_slack1 and (abs(T13 + 1.0) <= pose_slack and (abs(T11)
+        <= pose_slack and (abs(T12) <= pose_slack and (abs(t24 - (v4 + l1 * (v5 * v8))) <=
+        pose_slack1 and (abs(T33) <= pose_slack and (abs(c12 - T31) <= pose_slack and (abs(T32 -
+        s12) <= pose_slack and (abs(t14 - (v3 + l1 * (v6 * v8))) <= pose_slack1 and (abs(T23) <=
+        pose_slack and (abs(T22 - c12) <= pose_slack and abs(s12 + T21) <= pose_slack)))))))))))
+        else math.sqrt(-1.0)
+    )
+
+    # joint values
+    angle1_ = _atan2(T32, T22)
+    v10 = angle1_ - angle1
+    free1_ = v1 <= m1 or v7 <= m2
+    q1 = angle1 + v9
+    q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
+    q3 = r3 + v9
+    doubt = free1_ or free1_
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1
+    q[0, 1] = q2
+    q[0, 2] = q3
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    return True
 
 
 @_jit
@@ -313,13 +375,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (1, 3) or status.shape != (1,):
         raise ValueError("T, q and status must be (4, 4), (1, 3) and (1,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(1):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -336,10 +408,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((1, 3)), np.empty(1, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -401,10 +471,124 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1344, 1376, 1408],
+])
+_KINDS = np.array([1440])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1472)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t34 = T14 - ez * T13
+            r3 = d1 - t34
+            v1 = T32 * T32 + T22 * T22
+            v2 = 1.0 / math.sqrt(v1)
+            c12 = T22 * v2
+            s12 = T32 * v2
+            t14 = T24 - ez * T23
+            v3 = l2 * c12
+            t24 = T34 - ez * T33 - zz
+            v4 = l2 * s12
+            v5 = l1 * (t24 - v4)
+            v6 = l1 * (t14 - v3)
+            v7 = v5 * v5 + v6 * v6
+            v8 = 1.0 / math.sqrt(v7)
+            v9 = (
+                0.0 if (abs(t34 - (d1 - r3)) <= pose_slack1 and (abs(T13 + 1.0) <= pose_slack and
+                (abs(T11) <= pose_slack and (abs(T12) <= pose_slack and (abs(t24 - (v4 + l1 * (v5 *
+                v8))) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(c12 - T31) <= pose_slack
+                and (abs(T32 - s12) <= pose_slack and (abs(t14 - (v3 + l1 * (v6 * v8))) <=
+                pose_slack1 and (abs(T23) <= pose_slack and (abs(T22 - c12) <= pose_slack and
+                abs(s12 + T21) <= pose_slack))))))))))) else math.sqrt(-1.0)
+            )
+            free1_ = v1 <= m1 or v7 <= m2
+            q3 = r3 + v9
+            doubt = free1_ or free1_
+            work[992 + k] = v9
+            work[1056 + k] = q3
+            work[1088 + k] = doubt
+            work[1120 + k] = v5
+            work[1152 + k] = T32
+            work[1184 + k] = v6
+            work[1216 + k] = T22
+        for k in range(1120, 1184):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 32):
+            v9 = work[992 + k]
+            q3 = work[1056 + k]
+            doubt = work[1088 + k] != 0.0
+            angle1 = work[1120 + k]
+            angle1_ = work[1152 + k]
+            v10 = angle1_ - angle1
+            q1 = angle1 + v9
+            q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
+            _1344 = q1
+            work[1344 + k] = _1344
+            _1376 = q2
+            work[1376 + k] = _1376
+            _1408 = q3
+            work[1408 + k] = _1408
+            work[1440 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(1):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -415,14 +599,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 1, 3)), np.empty((len(T), 1), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

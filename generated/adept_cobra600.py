@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "adept_cobra600"
 METHOD = "closed form"
@@ -62,6 +63,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 9.490052405609999e-49  # free_limit_squared2^2 [m^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -79,7 +84,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -109,7 +114,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -145,6 +150,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -314,15 +322,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(4):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -336,6 +341,111 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r3, type 1: U0[3, 4]
+    r3 = d1 - T34
+
+    # theta12m4, type 3: U0[1, 2] and U0[2, 2]
+    v1 = T21 * T21 + T11 * T11
+    free12m4 = v1 <= m1
+    v2 = 1.0 / math.sqrt(v1)
+    c12m4 = T11 * v2
+    s12m4 = T21 * v2
+    angle1 = _atan2(T21, T11)
+
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    N2 = T14 * T14 + T24 * T24
+    K2 = N2 - k1
+    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    s2 = k2 * w2
+    c2 = k2 * K2
+    angle1_ = _atan2(w2, K2)
+
+    # theta1, type 3: U0[2, 4] and U0[1, 4]
+    X1_1 = a1 + a2 * c2
+    Y1_1 = a2 * s2
+    v3 = T24 * X1_1
+    v4 = T14 * Y1_1
+    S1_p = v3 - v4
+    S1_m = v3 + v4
+    v5 = T14 * X1_1
+    v6 = T24 * Y1_1
+    C1_p = v5 + v6
+    C1_m = v5 - v6
+    v7 = S1_p * S1_p + C1_p * C1_p
+    v8 = S1_m * S1_m + C1_m * C1_m
+    free1_p = v7 <= m2
+    free1_m = v8 <= m2
+    factor1_p = 1.0 / math.sqrt(v7)
+    factor1_m = 1.0 / math.sqrt(v8)
+    c1_p = C1_p * factor1_p
+    c1_m = C1_m * factor1_m
+    s1_p = S1_p * factor1_p
+    s1_m = S1_m * factor1_m
+    angle1__ = _atan2(S1_p, C1_p)
+    angle1___ = _atan2(S1_m, C1_m)
+
+    # is the pose one that the arm can take?
+    v9 = math.sqrt(-1.0)
+    v10 = (
+        0.0 if (abs(T34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T33) <= pose_slack and (abs(T32)
+        <= pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(c12m4 + T22)
+        <= pose_slack and (abs(T21 - s12m4) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 -
+        c12m4) <= pose_slack and abs(T12 - s12m4) <= pose_slack))))))))) else v9
+    )
+    v11 = (
+        0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <= pose_slack1 and abs(T24 -
+        (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1) else v9
+    )
+    v12 = (
+        0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <= pose_slack1 and abs(T24 -
+        (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1) else v9
+    )
+
+    # joint values
+    v13 = angle1_ + angle1__ - angle1
+    v14 = angle1___ - angle1_ - angle1
+    q1_p = v11 + (angle1__ + v10)
+    q1_m = v12 + (angle1___ + v10)
+    q2_p = v11 + (angle1_ + v10)
+    q2_m = v12 + (v10 - angle1_)
+    v15 = v10 + (r3 + (w2 - w2))
+    q3_p = v11 + v15
+    q3_m = v12 + v15
+    q4_p = (
+        v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else 0.0)))
+    )
+    q4_m = (
+        v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else 0.0)))
+    )
+    doubt = (
+        free1_m or (free12m4 or free1_m) or (free12m4 or shortest2_reach <= N2 and N2 <=
+        longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
+        (free12m4 or free1_p)))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -359,13 +469,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (4,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -382,10 +502,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -447,10 +565,189 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(4)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2304, 2336, 2368, 2400],
+    [2432, 2464, 2496, 2528],
+])
+_KINDS = np.array([2560, 2592])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2624)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            r3 = d1 - T34
+            v1 = T21 * T21 + T11 * T11
+            free12m4 = v1 <= m1
+            v2 = 1.0 / math.sqrt(v1)
+            c12m4 = T11 * v2
+            s12m4 = T21 * v2
+            N2 = T14 * T14 + T24 * T24
+            K2 = N2 - k1
+            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+            s2 = k2 * w2
+            c2 = k2 * K2
+            X1_1 = a1 + a2 * c2
+            Y1_1 = a2 * s2
+            v3 = T24 * X1_1
+            v4 = T14 * Y1_1
+            S1_p = v3 - v4
+            S1_m = v3 + v4
+            v5 = T14 * X1_1
+            v6 = T24 * Y1_1
+            C1_p = v5 + v6
+            C1_m = v5 - v6
+            v7 = S1_p * S1_p + C1_p * C1_p
+            v8 = S1_m * S1_m + C1_m * C1_m
+            free1_p = v7 <= m2
+            free1_m = v8 <= m2
+            factor1_p = 1.0 / math.sqrt(v7)
+            factor1_m = 1.0 / math.sqrt(v8)
+            c1_p = C1_p * factor1_p
+            c1_m = C1_m * factor1_m
+            s1_p = S1_p * factor1_p
+            s1_m = S1_m * factor1_m
+            v9 = math.sqrt(-1.0)
+            v10 = (
+                0.0 if (abs(T34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T33) <= pose_slack and
+                (abs(T32) <= pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and
+                (abs(c12m4 + T22) <= pose_slack and (abs(T21 - s12m4) <= pose_slack and (abs(T13) <=
+                pose_slack and (abs(T11 - c12m4) <= pose_slack and abs(T12 - s12m4) <=
+                pose_slack))))))))) else v9
+            )
+            v11 = (
+                0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <= pose_slack1 and
+                abs(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1) else v9
+            )
+            v12 = (
+                0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <= pose_slack1 and
+                abs(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1) else v9
+            )
+            v15 = v10 + (r3 + (w2 - w2))
+            q3_p = v11 + v15
+            q3_m = v12 + v15
+            doubt = (
+                free1_m or (free12m4 or free1_m) or (free12m4 or shortest2_reach <= N2 and N2 <=
+                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
+                (free12m4 or free1_p)))
+            )
+            work[1600 + k] = v10
+            work[960 + k] = v11
+            work[1568 + k] = v12
+            work[1696 + k] = q3_p
+            work[1728 + k] = q3_m
+            work[1760 + k] = doubt
+            work[1792 + k] = T21
+            work[1824 + k] = w2
+            work[1856 + k] = S1_p
+            work[1888 + k] = S1_m
+            work[1920 + k] = T11
+            work[1952 + k] = K2
+            work[1984 + k] = C1_p
+            work[2016 + k] = C1_m
+        for k in range(1792, 1920):
+            work[k] = _atan2(work[k], work[k + 128])
+        for k in range(0, 32):
+            v11 = work[960 + k]
+            v12 = work[1568 + k]
+            v10 = work[1600 + k]
+            q3_p = work[1696 + k]
+            q3_m = work[1728 + k]
+            doubt = work[1760 + k] != 0.0
+            angle1 = work[1792 + k]
+            angle1_ = work[1824 + k]
+            angle1__ = work[1856 + k]
+            angle1___ = work[1888 + k]
+            v13 = angle1_ + angle1__ - angle1
+            v14 = angle1___ - angle1_ - angle1
+            q1_p = v11 + (angle1__ + v10)
+            q1_m = v12 + (angle1___ + v10)
+            q2_p = v11 + (angle1_ + v10)
+            q2_m = v12 + (v10 - angle1_)
+            q4_p = (
+                v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else
+                0.0)))
+            )
+            q4_m = (
+                v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
+                0.0)))
+            )
+            _2304 = q1_p
+            work[2304 + k] = _2304
+            _2336 = q2_p
+            work[2336 + k] = _2336
+            _2368 = q3_p
+            work[2368 + k] = _2368
+            _2400 = q4_p
+            work[2400 + k] = _2400
+            _2432 = q1_m
+            work[2432 + k] = _2432
+            _2464 = q2_m
+            work[2464 + k] = _2464
+            _2496 = q3_m
+            work[2496 + k] = _2496
+            _2528 = q4_m
+            work[2528 + k] = _2528
+            work[2560 + k] = UNREACHABLE if _2304 != _2304 else OK
+            work[2592 + k] = UNREACHABLE if _2432 != _2432 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(4):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -461,14 +758,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

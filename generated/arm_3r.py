@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "arm_3r"
 METHOD = "closed form"
@@ -61,6 +62,10 @@ free_limit_squared2 = 1.3224999999999997e-24  # square of a length that fixes no
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.3224999999999998e-24  # free_limit1^2 [m^2]
+m3 = 1.749006249999999e-48  # free_limit_squared2^2 [m^4]
+h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -77,7 +82,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -141,6 +146,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -276,15 +284,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -298,6 +303,76 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    angle1 = _atan2(-T24, -T14)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    N3 = v1 + Z1_3 * Z1_3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v2 = w3 - w3
+    v3 = k1 * (N3 - k2)
+    v4 = k1 * w3
+    angle1_ = _atan2(-v3, v4)
+    q3_pm = math.copysign(half_turn, -v3) * h1 - angle1_
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v5 = d4 * (k3 * v4)
+    Y1_2 = a2 + d4 * (k3 * v3)
+    v6 = Z1_3 * Y1_2
+    v7 = w1 * v5
+    S2_pp = v7 - v6
+    v8 = v6 + v7
+    v9 = w1 * Y1_2
+    v10 = Z1_3 * v5
+    v11 = v9 + v10
+    v12 = v9 - v10
+    v13 = v8 * v8
+    angle1__ = _atan2(S2_pp, -v11)
+    angle1___ = _atan2(-v8, -v12)
+    angle1____ = _atan2(-v8, v12)
+    angle1_____ = _atan2(S2_pp, v11)
+
+    # joint values
+    q1_pp = angle1 + v2
+    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
+    doubt = (
+        v13 + -v12 * -v12 <= m3 or (v13 + v12 * v12 <= m3 or (S2_pp * S2_pp + v11 * v11 <= m3 or (v1
+        <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+        < longest3_apart))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = angle1__
+    q[0, 2] = angle1_
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pp
+    q[1, 1] = angle1___
+    q[1, 2] = q3_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = angle1____
+    q[2, 2] = angle1_
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mp
+    q[3, 1] = angle1_____
+    q[3, 2] = q3_pm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -321,13 +396,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -344,10 +429,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 3)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -407,10 +490,132 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1664, 1696, 1728],
+    [1664, 1760, 1792],
+    [1824, 1856, 1728],
+    [1824, 1888, 1792],
+])
+_KINDS = np.array([1920, 1952, 1984, 2016])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2048)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            T34 = work[352 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            Z1_3 = T34 - d1
+            N3 = v1 + Z1_3 * Z1_3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v2 = w3 - w3
+            v3 = k1 * (N3 - k2)
+            v4 = k1 * w3
+            v5 = d4 * (k3 * v4)
+            Y1_2 = a2 + d4 * (k3 * v3)
+            v6 = Z1_3 * Y1_2
+            v7 = w1 * v5
+            S2_pp = v7 - v6
+            v8 = v6 + v7
+            v9 = w1 * Y1_2
+            v10 = Z1_3 * v5
+            v11 = v9 + v10
+            v12 = v9 - v10
+            v13 = v8 * v8
+            doubt = (
+                v13 + -v12 * -v12 <= m3 or (v13 + v12 * v12 <= m3 or (S2_pp * S2_pp + v11 * v11 <=
+                m3 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart))))
+            )
+            work[1120 + k] = v2
+            work[704 + k] = v3
+            work[1152 + k] = doubt
+            work[1184 + k] = -T24
+            work[1216 + k] = -v3
+            work[1248 + k] = S2_pp
+            work[1280 + k] = -v8
+            work[1312 + k] = -v8
+            work[1344 + k] = S2_pp
+            work[1376 + k] = -T14
+            work[1408 + k] = v4
+            work[1440 + k] = -v11
+            work[1472 + k] = -v12
+            work[1504 + k] = v12
+            work[1536 + k] = v11
+        for k in range(1184, 1376):
+            work[k] = _atan2(work[k], work[k + 192])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            v3 = work[704 + k]
+            v2 = work[1120 + k]
+            doubt = work[1152 + k] != 0.0
+            angle1 = work[1184 + k]
+            angle1_ = work[1216 + k]
+            angle1__ = work[1248 + k]
+            angle1___ = work[1280 + k]
+            angle1____ = work[1312 + k]
+            angle1_____ = work[1344 + k]
+            q3_pm = math.copysign(half_turn, -v3) * h1 - angle1_
+            q1_pp = angle1 + v2
+            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
+            _1664 = q1_pp
+            work[1664 + k] = _1664
+            _1696 = angle1__
+            work[1696 + k] = _1696
+            _1728 = angle1_
+            work[1728 + k] = _1728
+            _1760 = angle1___
+            work[1760 + k] = _1760
+            _1792 = q3_pm
+            work[1792 + k] = _1792
+            _1824 = q1_mp
+            work[1824 + k] = _1824
+            _1856 = angle1____
+            work[1856 + k] = _1856
+            _1888 = angle1_____
+            work[1888 + k] = _1888
+            work[1920 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[1952 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[1984 + k] = UNREACHABLE if _1824 != _1824 else OK
+            work[2016 + k] = UNREACHABLE if _1824 != _1824 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -421,14 +626,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

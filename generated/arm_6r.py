@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "arm_6r"
 METHOD = "closed form"
@@ -70,6 +71,11 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.5624999999999999e-24  # free_limit1^2 [m^2]
+m3 = 2.4414062499999996e-48  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -86,7 +92,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -175,6 +181,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -437,15 +446,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -459,6 +465,190 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    v1 = wx * wx + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = wx * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -wx)
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    N3 = v1 + Z1_3 * Z1_3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v3 = w3 - w3
+    v4 = k1 * (N3 - k2)
+    v5 = k3 * v4
+    v6 = k1 * w3
+    c3 = k3 * v6
+    angle1_ = _atan2(-v4, v6)
+    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    v7 = d4 * c3
+    Y1_2 = a2 + d4 * v5
+    v8 = Z1_3 * Y1_2
+    v9 = w1 * v7
+    S2_pp = v9 - v8
+    v10 = v8 + v9
+    v11 = w1 * Y1_2
+    v12 = Z1_3 * v7
+    v13 = v11 + v12
+    v14 = v11 - v12
+    v15 = S2_pp * S2_pp + v13 * v13
+    v16 = v10 * v10
+    v17 = v16 + v14 * v14
+    v18 = v16 + -v14 * -v14
+    factor2_pp = 1.0 / math.sqrt(v15)
+    factor2_pm = 1.0 / math.sqrt(v17)
+    factor2_mp = 1.0 / math.sqrt(v18)
+    v19 = v13 * factor2_pp
+    v20 = v14 * factor2_pm
+    v21 = -v14 * factor2_mp
+    s2_pp = S2_pp * factor2_pp
+    v22 = v10 * factor2_pm
+    v23 = v10 * factor2_mp
+    angle1__ = _atan2(S2_pp, -v13)
+    angle1___ = _atan2(-v10, -v14)
+    angle1____ = _atan2(-v10, v14)
+    angle1_____ = _atan2(S2_pp, v13)
+
+    # theta4, type 2: U4[3, 3]
+    c23_pp = v5 * s2_pp - c3 * v19
+    c23_pm = c3 * v20 - v5 * v22
+    v24 = v5 * v23 + c3 * v21
+    s23_pp = v5 * v19 + c3 * s2_pp
+    s23_pm = v5 * v20 + c3 * v22
+    s23_mp = v5 * v21 - c3 * v23
+    v25 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s23_pp - c23_pp * v25
+    X4_pm = T33 * s23_pm - c23_pm * v25
+    X4_mp = T33 * s23_mp - v24 * v25
+    Y4 = T13 * s1 + T23 * v2
+    v26 = Y4 * Y4
+    v27 = v26 + X4_pp * X4_pp
+    v28 = v26 + X4_pm * X4_pm
+    v29 = v26 + X4_mp * X4_mp
+    v30 = v26 + -X4_pp * -X4_pp
+    angle1______ = _atan2(Y4, -X4_pp)
+    angle1_______ = _atan2(Y4, -X4_pm)
+    angle1________ = _atan2(-Y4, -X4_mp)
+    angle1_________ = _atan2(-Y4, X4_pp)
+    v31 = h1 * math.copysign(half_turn, Y4)
+    v32 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1______ - v31
+    q4_pmm = angle1_______ - v31
+    q4_mpm = angle1________ - v32
+    q4_mmm = angle1_________ - v32
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1__________ = _atan2(-math.sqrt(v27), -(T33 * c23_pp + s23_pp * v25))
+    angle1___________ = _atan2(-math.sqrt(v28), -(T33 * c23_pm + s23_pm * v25))
+    angle1____________ = _atan2(-math.sqrt(v29), T33 * v24 + s23_mp * v25)
+    angle1_____________ = _atan2(-math.sqrt(v30), -(T33 * c23_pp + s23_pp * v25))
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v33 = v2 * T22 + s1 * T12
+    v34 = s1 * T22 - v2 * T12
+    v35 = v2 * T21 + s1 * T11
+    v36 = s1 * T21 - v2 * T11
+    v37 = c23_pp * v36 - s23_pp * T31
+    v38 = -X4_pp * v35 - Y4 * v37
+    v39 = -X4_pm * v35 - Y4 * (c23_pm * v36 - s23_pm * T31)
+    v40 = Y4 * (v24 * v36 - s23_mp * T31) - -X4_mp * v35
+    v41 = Y4 * -v37 - X4_pp * v35
+    v42 = c23_pp * v34 - s23_pp * T32
+    angle1______________ = _atan2(v38, -X4_pp * v33 - Y4 * v42)
+    angle1_______________ = _atan2(v39, -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm * T32))
+    angle1________________ = _atan2(v40, Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp * v33)
+    angle1_________________ = _atan2(v41, Y4 * -v42 - X4_pp * v33)
+    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v38)
+    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v39)
+    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v40)
+    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v41)
+
+    # joint values
+    q1_ppp = angle1 + v3
+    q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
+    v43 = v15 <= m3
+    doubt = (
+        v43 or v30 <= m4 or (v18 <= m3 or v29 <= m4 or (v17 <= m3 or v28 <= m4 or (v1 <= m1 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v43 or v27 <= m4))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1__
+    q[0, 2] = angle1_
+    q[0, 3] = angle1______
+    q[0, 4] = angle1__________
+    q[0, 5] = angle1______________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1__
+    q[1, 2] = angle1_
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1__________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1___
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1_______
+    q[2, 4] = angle1___________
+    q[2, 5] = angle1_______________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1___
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1___________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1____
+    q[4, 2] = angle1_
+    q[4, 3] = angle1________
+    q[4, 4] = angle1____________
+    q[4, 5] = angle1________________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1____
+    q[5, 2] = angle1_
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1____________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1_____
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1_________
+    q[6, 4] = angle1_____________
+    q[6, 5] = angle1_________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1_____
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1_____________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -482,13 +672,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -505,10 +705,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -568,10 +766,313 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [4224, 4256, 4288, 4320, 4352, 4384],
+    [4224, 4256, 4288, 4416, 4448, 4480],
+    [4224, 4512, 4544, 4576, 4608, 4640],
+    [4224, 4512, 4544, 4672, 4704, 4736],
+    [4768, 4800, 4288, 4832, 4864, 4896],
+    [4768, 4800, 4288, 4928, 4960, 4992],
+    [4768, 5024, 4544, 5056, 5088, 5120],
+    [4768, 5024, 4544, 5152, 5184, 5216],
+])
+_KINDS = np.array([5248, 5280, 5312, 5344, 5376, 5408, 5440, 5472])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(5504)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            v1 = wx * wx + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = wx * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            N3 = v1 + Z1_3 * Z1_3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v3 = w3 - w3
+            v4 = k1 * (N3 - k2)
+            v5 = k3 * v4
+            v6 = k1 * w3
+            c3 = k3 * v6
+            v7 = d4 * c3
+            Y1_2 = a2 + d4 * v5
+            v8 = Z1_3 * Y1_2
+            v9 = w1 * v7
+            S2_pp = v9 - v8
+            v10 = v8 + v9
+            v11 = w1 * Y1_2
+            v12 = Z1_3 * v7
+            v13 = v11 + v12
+            v14 = v11 - v12
+            v15 = S2_pp * S2_pp + v13 * v13
+            v16 = v10 * v10
+            v17 = v16 + v14 * v14
+            v18 = v16 + -v14 * -v14
+            factor2_pp = 1.0 / math.sqrt(v15)
+            factor2_pm = 1.0 / math.sqrt(v17)
+            factor2_mp = 1.0 / math.sqrt(v18)
+            v19 = v13 * factor2_pp
+            v20 = v14 * factor2_pm
+            v21 = -v14 * factor2_mp
+            s2_pp = S2_pp * factor2_pp
+            v22 = v10 * factor2_pm
+            v23 = v10 * factor2_mp
+            c23_pp = v5 * s2_pp - c3 * v19
+            c23_pm = c3 * v20 - v5 * v22
+            v24 = v5 * v23 + c3 * v21
+            s23_pp = v5 * v19 + c3 * s2_pp
+            s23_pm = v5 * v20 + c3 * v22
+            s23_mp = v5 * v21 - c3 * v23
+            v25 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s23_pp - c23_pp * v25
+            X4_pm = T33 * s23_pm - c23_pm * v25
+            X4_mp = T33 * s23_mp - v24 * v25
+            Y4 = T13 * s1 + T23 * v2
+            v26 = Y4 * Y4
+            v27 = v26 + X4_pp * X4_pp
+            v28 = v26 + X4_pm * X4_pm
+            v29 = v26 + X4_mp * X4_mp
+            v30 = v26 + -X4_pp * -X4_pp
+            v31 = h1 * math.copysign(half_turn, Y4)
+            v32 = h1 * math.copysign(half_turn, -Y4)
+            v33 = v2 * T22 + s1 * T12
+            v34 = s1 * T22 - v2 * T12
+            v35 = v2 * T21 + s1 * T11
+            v36 = s1 * T21 - v2 * T11
+            v37 = c23_pp * v36 - s23_pp * T31
+            v38 = -X4_pp * v35 - Y4 * v37
+            v39 = -X4_pm * v35 - Y4 * (c23_pm * v36 - s23_pm * T31)
+            v40 = Y4 * (v24 * v36 - s23_mp * T31) - -X4_mp * v35
+            v41 = Y4 * -v37 - X4_pp * v35
+            v42 = c23_pp * v34 - s23_pp * T32
+            v43 = v15 <= m3
+            doubt = (
+                v43 or v30 <= m4 or (v18 <= m3 or v29 <= m4 or (v17 <= m3 or v28 <= m4 or (v1 <= m1
+                or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
+                N3 < longest3_apart) or (v43 or v27 <= m4))))
+            )
+            work[1760 + k] = Y1
+            work[2592 + k] = v3
+            work[1472 + k] = v4
+            work[2624 + k] = v31
+            work[2656 + k] = v32
+            work[1600 + k] = v38
+            work[1024 + k] = v39
+            work[1568 + k] = v40
+            work[864 + k] = v41
+            work[2688 + k] = doubt
+            work[2720 + k] = Y1
+            work[2752 + k] = -v4
+            work[2784 + k] = S2_pp
+            work[2816 + k] = -v10
+            work[2848 + k] = -v10
+            work[2880 + k] = S2_pp
+            work[2912 + k] = Y4
+            work[2944 + k] = Y4
+            work[2976 + k] = -Y4
+            work[3008 + k] = -Y4
+            work[3040 + k] = -math.sqrt(v27)
+            work[3072 + k] = -math.sqrt(v28)
+            work[3104 + k] = -math.sqrt(v29)
+            work[3136 + k] = -math.sqrt(v30)
+            work[3168 + k] = v38
+            work[3200 + k] = v39
+            work[3232 + k] = v40
+            work[3264 + k] = v41
+            work[3296 + k] = -wx
+            work[3328 + k] = v6
+            work[3360 + k] = -v13
+            work[3392 + k] = -v14
+            work[3424 + k] = v14
+            work[3456 + k] = v13
+            work[3488 + k] = -X4_pp
+            work[3520 + k] = -X4_pm
+            work[3552 + k] = -X4_mp
+            work[3584 + k] = X4_pp
+            work[3616 + k] = -(T33 * c23_pp + s23_pp * v25)
+            work[3648 + k] = -(T33 * c23_pm + s23_pm * v25)
+            work[3680 + k] = T33 * v24 + s23_mp * v25
+            work[3712 + k] = -(T33 * c23_pp + s23_pp * v25)
+            work[3744 + k] = -X4_pp * v33 - Y4 * v42
+            work[3776 + k] = -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm * T32)
+            work[3808 + k] = Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp * v33
+            work[3840 + k] = Y4 * -v42 - X4_pp * v33
+        for k in range(2720, 3296):
+            work[k] = _atan2(work[k], work[k + 576])
+        for k in range(0, 32):
+            v41 = work[864 + k]
+            v39 = work[1024 + k]
+            v4 = work[1472 + k]
+            v40 = work[1568 + k]
+            v38 = work[1600 + k]
+            Y1 = work[1760 + k]
+            v3 = work[2592 + k]
+            v31 = work[2624 + k]
+            v32 = work[2656 + k]
+            doubt = work[2688 + k] != 0.0
+            angle1 = work[2720 + k]
+            angle1_ = work[2752 + k]
+            angle1__ = work[2784 + k]
+            angle1___ = work[2816 + k]
+            angle1____ = work[2848 + k]
+            angle1_____ = work[2880 + k]
+            angle1______ = work[2912 + k]
+            angle1_______ = work[2944 + k]
+            angle1________ = work[2976 + k]
+            angle1_________ = work[3008 + k]
+            angle1__________ = work[3040 + k]
+            angle1___________ = work[3072 + k]
+            angle1____________ = work[3104 + k]
+            angle1_____________ = work[3136 + k]
+            angle1______________ = work[3168 + k]
+            angle1_______________ = work[3200 + k]
+            angle1________________ = work[3232 + k]
+            angle1_________________ = work[3264 + k]
+            q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
+            q4_ppm = angle1______ - v31
+            q4_pmm = angle1_______ - v31
+            q4_mpm = angle1________ - v32
+            q4_mmm = angle1_________ - v32
+            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v38)
+            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v39)
+            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v40)
+            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v41)
+            q1_ppp = angle1 + v3
+            q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
+            _4224 = q1_ppp
+            work[4224 + k] = _4224
+            _4256 = angle1__
+            work[4256 + k] = _4256
+            _4288 = angle1_
+            work[4288 + k] = _4288
+            _4320 = angle1______
+            work[4320 + k] = _4320
+            _4352 = angle1__________
+            work[4352 + k] = _4352
+            _4384 = angle1______________
+            work[4384 + k] = _4384
+            _4416 = q4_ppm
+            work[4416 + k] = _4416
+            _4448 = -angle1__________
+            work[4448 + k] = _4448
+            _4480 = q6_ppm
+            work[4480 + k] = _4480
+            _4512 = angle1___
+            work[4512 + k] = _4512
+            _4544 = q3_pmp
+            work[4544 + k] = _4544
+            _4576 = angle1_______
+            work[4576 + k] = _4576
+            _4608 = angle1___________
+            work[4608 + k] = _4608
+            _4640 = angle1_______________
+            work[4640 + k] = _4640
+            _4672 = q4_pmm
+            work[4672 + k] = _4672
+            _4704 = -angle1___________
+            work[4704 + k] = _4704
+            _4736 = q6_pmm
+            work[4736 + k] = _4736
+            _4768 = q1_mpp
+            work[4768 + k] = _4768
+            _4800 = angle1____
+            work[4800 + k] = _4800
+            _4832 = angle1________
+            work[4832 + k] = _4832
+            _4864 = angle1____________
+            work[4864 + k] = _4864
+            _4896 = angle1________________
+            work[4896 + k] = _4896
+            _4928 = q4_mpm
+            work[4928 + k] = _4928
+            _4960 = -angle1____________
+            work[4960 + k] = _4960
+            _4992 = q6_mpm
+            work[4992 + k] = _4992
+            _5024 = angle1_____
+            work[5024 + k] = _5024
+            _5056 = angle1_________
+            work[5056 + k] = _5056
+            _5088 = angle1_____________
+            work[5088 + k] = _5088
+            _5120 = angle1_________________
+            work[5120 + k] = _5120
+            _5152 = q4_mmm
+            work[5152 + k] = _5152
+            _5184 = -angle1_____________
+            work[5184 + k] = _5184
+            _5216 = q6_mmm
+            work[5216 + k] = _5216
+            work[5248 + k] = UNREACHABLE if _4224 != _4224 else OK
+            work[5280 + k] = UNREACHABLE if _4224 != _4224 else OK
+            work[5312 + k] = UNREACHABLE if _4224 != _4224 else OK
+            work[5344 + k] = UNREACHABLE if _4224 != _4224 else OK
+            work[5376 + k] = UNREACHABLE if _4768 != _4768 else OK
+            work[5408 + k] = UNREACHABLE if _4768 != _4768 else OK
+            work[5440 + k] = UNREACHABLE if _4768 != _4768 else OK
+            work[5472 + k] = UNREACHABLE if _4768 != _4768 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -582,14 +1083,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "comau_ns16"
 METHOD = "closed form"
@@ -82,6 +83,20 @@ k4 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
 k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = -1.2825771957649381  # a constant angle [rad]
+low1 = -3.141590001  # lowest value of joint 1
+high1 = 3.141590001  # highest value of joint 1
+low2 = -0.872660001  # lowest value of joint 2
+high2 = 1.658000001  # highest value of joint 2
+low3 = -2.967000001  # lowest value of joint 3
+high3 = 1.919800001  # highest value of joint 3
+low5 = -3.141590001  # lowest value of joint 5
+high5 = 3.141590001  # highest value of joint 5
+m1 = 5.685938154625594e-47  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m3 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -98,7 +113,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -128,7 +143,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -199,6 +214,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -492,15 +510,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -514,6 +529,307 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = d6 * T23 - T24
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = k1 * X1
+    v2 = k1 * wy
+    v3 = X1 * w1
+    v4 = v2 - v3
+    v5 = v2 + v3
+    c1_p = inverse1 * v4
+    c1_m = inverse1 * v5
+    v6 = wy * w1
+    v7 = v1 + v6
+    v8 = v1 - v6
+    s1_p = inverse1 * v7
+    s1_m = inverse1 * v8
+    angle1 = _atan2(v7, v4)
+    angle1_ = _atan2(v8, v5)
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = d1 + (d6 * T33 - T34)
+    Z2_3_p = w1 - a1
+    v9 = a1 + w1
+    v10 = Z1_3 * Z1_3
+    N3_p = v10 + Z2_3_p * Z2_3_p
+    N3_m = v10 + v9 * v9
+    K3_p = N3_p - k6
+    K3_m = N3_m - k6
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v11 = k4 * K3_p
+    v12 = k4 * K3_m
+    v13 = k5 * w3_p
+    v14 = k5 * w3_m
+    s3_pp = k7 * (v11 + v13)
+    s3_pm = k7 * (v11 - v13)
+    s3_mp = k7 * (v12 + v14)
+    s3_mm = k7 * (v12 - v14)
+    v15 = k5 * K3_p
+    v16 = k5 * K3_m
+    v17 = k4 * w3_p
+    v18 = k4 * w3_m
+    c3_pp = k7 * (v15 - v17)
+    c3_pm = k7 * (v15 + v17)
+    c3_mp = k7 * (v16 - v18)
+    c3_mm = k7 * (v16 + v18)
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+    X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+    X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+    X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+    Y1_2_pp = d4 * c3_pp - a3 * s3_pp
+    Y1_2_pm = d4 * c3_pm - a3 * s3_pm
+    Y1_2_mp = d4 * c3_mp - a3 * s3_mp
+    Y1_2_mm = d4 * c3_mm - a3 * s3_mm
+    S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp
+    S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm
+    S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp
+    S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm
+    C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp
+    C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm
+    v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp
+    v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm
+    v21 = S2_pp * S2_pp + C2_pp * C2_pp
+    v22 = S2_pm * S2_pm + C2_pm * C2_pm
+    v23 = S2_mp * S2_mp + v19 * v19
+    v24 = S2_mm * S2_mm + v20 * v20
+    factor2_pp = 1.0 / math.sqrt(v21)
+    factor2_pm = 1.0 / math.sqrt(v22)
+    factor2_mp = 1.0 / math.sqrt(v23)
+    factor2_mm = 1.0 / math.sqrt(v24)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    v25 = v19 * factor2_mp
+    v26 = v20 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp
+    c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm
+    c2m3_mp = s3_mp * s2_mp - c3_mp * v25
+    c2m3_mm = s3_mm * s2_mm - c3_mm * v26
+    s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp
+    s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm
+    s2m3_mp = c3_mp * s2_mp + s3_mp * v25
+    s2m3_mm = c3_mm * s2_mm + s3_mm * v26
+    v27 = T13 * c1_p - T23 * s1_p
+    v28 = T13 * c1_m - T23 * s1_m
+    X4_pp = T33 * s2m3_pp - c2m3_pp * v27
+    X4_pm = T33 * s2m3_pm - c2m3_pm * v27
+    X4_mp = T33 * s2m3_mp - c2m3_mp * v28
+    X4_mm = T33 * s2m3_mm - c2m3_mm * v28
+    Y4_p = T23 * c1_p + T13 * s1_p
+    Y4_m = T23 * c1_m + T13 * s1_m
+    v29 = Y4_p * Y4_p
+    v30 = Y4_m * Y4_m
+    v31 = v29 + X4_pp * X4_pp
+    v32 = v29 + X4_pm * X4_pm
+    v33 = v30 + X4_mp * X4_mp
+    v34 = v30 + X4_mm * X4_mm
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v35 = c1_p * T22 + s1_p * T12
+    v36 = c1_m * T22 + s1_m * T12
+    v37 = c1_p * T12 - s1_p * T22
+    v38 = c1_m * T12 - s1_m * T22
+    v39 = c1_p * T21 + s1_p * T11
+    v40 = c1_m * T21 + s1_m * T11
+    v41 = c1_p * T11 - s1_p * T21
+    v42 = c1_m * T11 - s1_m * T21
+    s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp
+    s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm
+    s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp
+    s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm
+
+    # joint values
+    angle1__ = _atan2(S2_pp, C2_pp)
+    v43 = angle1__ - offset2
+    angle1___ = _atan2(S2_pm, C2_pm)
+    v44 = angle1___ - offset2
+    angle1____ = _atan2(S2_mp, -v19)
+    v45 = angle1____ - offset2
+    angle1_____ = _atan2(S2_mm, -v20)
+    v46 = angle1_____ - offset2
+    q2_ppp = v43 - (m3 if half_turn < v43 else 0.0)
+    q2_pmp = v44 - (m3 if half_turn < v44 else 0.0)
+    q2_mpp = v45 - (m3 if half_turn < v45 else 0.0)
+    q2_mmp = v46 - (m3 if half_turn < v46 else 0.0)
+    angle1______ = _atan2(w3_p, K3_p)
+    angle1_______ = _atan2(w3_m, K3_m)
+    v47 = angle1______ - turn1 - offset3
+    v48 = offset3 + (turn1 + angle1______)
+    v49 = angle1_______ - turn1 - offset3
+    v50 = offset3 + (turn1 + angle1_______)
+    q3_ppp = v47 + (m3 if v47 <= -half_turn else 0.0)
+    q3_pmp = (m3 if -v48 <= -half_turn else 0.0) - v48
+    q3_mpp = v49 + (m3 if v49 <= -half_turn else 0.0)
+    q3_mmp = (m3 if -v50 <= -half_turn else 0.0) - v50
+    angle1________ = _atan2(Y4_p, -X4_pp)
+    angle1_________ = _atan2(Y4_p, -X4_pm)
+    angle1__________ = _atan2(Y4_m, -X4_mp)
+    angle1___________ = _atan2(Y4_m, -X4_mm)
+    v51 = math.copysign(half_turn, Y4_p) * h1
+    v52 = math.copysign(half_turn, Y4_m) * h1
+    v53 = angle1________ - offset4
+    v54 = angle1________ - v51 - offset4
+    v55 = angle1_________ - offset4
+    v56 = angle1_________ - v51 - offset4
+    v57 = angle1__________ - offset4
+    v58 = angle1__________ - v52 - offset4
+    v59 = angle1___________ - offset4
+    v60 = angle1___________ - v52 - offset4
+    q4_ppp = v53 + (m3 if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 + (m3 if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 + (m3 if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 + (m3 if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 + (m3 if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 + (m3 if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 + (m3 if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 + (m3 if v60 <= -half_turn else 0.0)
+    angle1____________ = _atan2(-math.sqrt(v31), T33 * c2m3_pp + s2m3_pp * v27)
+    angle1_____________ = _atan2(-math.sqrt(v32), T33 * c2m3_pm + s2m3_pm * v27)
+    angle1______________ = _atan2(-math.sqrt(v33), T33 * c2m3_mp + s2m3_mp * v28)
+    angle1_______________ = _atan2(-math.sqrt(v34), T33 * c2m3_mm + s2m3_mm * v28)
+    v61 = angle1____________ - offset5
+    v62 = offset5 + angle1____________
+    v63 = angle1_____________ - offset5
+    v64 = offset5 + angle1_____________
+    v65 = angle1______________ - offset5
+    v66 = offset5 + angle1______________
+    v67 = angle1_______________ - offset5
+    v68 = offset5 + angle1_______________
+    q5_ppp = v61 + (m3 if v61 <= -half_turn else 0.0)
+    q5_ppm = (m3 if -v62 <= -half_turn else 0.0) - v62
+    q5_pmp = v63 + (m3 if v63 <= -half_turn else 0.0)
+    q5_pmm = (m3 if -v64 <= -half_turn else 0.0) - v64
+    q5_mpp = v65 + (m3 if v65 <= -half_turn else 0.0)
+    q5_mpm = (m3 if -v66 <= -half_turn else 0.0) - v66
+    q5_mmp = v67 + (m3 if v67 <= -half_turn else 0.0)
+    q5_mmm = (m3 if -v68 <= -half_turn else 0.0) - v68
+    angle1________________ = _atan2(s6_pp, v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32))
+    angle1_________________ = _atan2(s6_pm, v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32))
+    angle1__________________ = _atan2(s6_mp, v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32))
+    angle1___________________ = _atan2(s6_mm, v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32))
+    v69 = angle1________________ - offset6
+    v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v71 = angle1_________________ - offset6
+    v72 = angle1_________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v73 = angle1__________________ - offset6
+    v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v75 = angle1___________________ - offset6
+    v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v69 + (m3 if v69 <= -half_turn else 0.0)
+    q6_ppm = v70 + (m3 if v70 <= -half_turn else 0.0)
+    q6_pmp = v71 + (m3 if v71 <= -half_turn else 0.0)
+    q6_pmm = v72 + (m3 if v72 <= -half_turn else 0.0)
+    q6_mpp = v73 + (m3 if v73 <= -half_turn else 0.0)
+    q6_mpm = v74 + (m3 if v74 <= -half_turn else 0.0)
+    q6_mmp = v75 + (m3 if v75 <= -half_turn else 0.0)
+    q6_mmm = v76 + (m3 if v76 <= -half_turn else 0.0)
+    v77 = angle1 < low1 or high1 < angle1
+    v78 = angle1_ < low1 or high1 < angle1_
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = angle1_ + (w3_m - w3_m)
+    v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
+    v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
+    v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))
+    v82 = q3_mmp < low3 or high3 < q3_mmp or (v78 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v79 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v79 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v80 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v80 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v81 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt = (
+        v24 <= m1 or v34 <= m2 or (v23 <= m1 or v33 <= m2 or (v22 <= m1 or v32 <= m2 or (v21 <= m1
+        or v31 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart) or (free1 or -k2 <= D1 and (free1 or
+        not (k3 < D1))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = q6_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = q6_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -537,13 +853,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -560,10 +886,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -623,10 +947,454 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [8032, 8064, 8096, 8128, 8160, 8192],
+    [8032, 8064, 8096, 8224, 8256, 8288],
+    [8032, 8320, 8352, 8384, 8416, 8448],
+    [8032, 8320, 8352, 8480, 8512, 8544],
+    [8576, 8608, 8640, 8672, 8704, 8736],
+    [8576, 8608, 8640, 8768, 8800, 8832],
+    [8576, 8864, 8896, 8928, 8960, 8992],
+    [8576, 8864, 8896, 9024, 9056, 9088],
+])
+_KINDS = np.array([9120, 9152, 9184, 9216, 9248, 9280, 9312, 9344])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(9376)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = d6 * T23 - T24
+            N1 = X1 * X1 + wy * wy
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = k1 * X1
+            v2 = k1 * wy
+            v3 = X1 * w1
+            v4 = v2 - v3
+            v5 = v2 + v3
+            c1_p = inverse1 * v4
+            c1_m = inverse1 * v5
+            v6 = wy * w1
+            v7 = v1 + v6
+            v8 = v1 - v6
+            s1_p = inverse1 * v7
+            s1_m = inverse1 * v8
+            Z1_3 = d1 + (d6 * T33 - T34)
+            Z2_3_p = w1 - a1
+            v9 = a1 + w1
+            v10 = Z1_3 * Z1_3
+            N3_p = v10 + Z2_3_p * Z2_3_p
+            N3_m = v10 + v9 * v9
+            K3_p = N3_p - k6
+            K3_m = N3_m - k6
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v11 = k4 * K3_p
+            v12 = k4 * K3_m
+            v13 = k5 * w3_p
+            v14 = k5 * w3_m
+            s3_pp = k7 * (v11 + v13)
+            s3_pm = k7 * (v11 - v13)
+            s3_mp = k7 * (v12 + v14)
+            s3_mm = k7 * (v12 - v14)
+            v15 = k5 * K3_p
+            v16 = k5 * K3_m
+            v17 = k4 * w3_p
+            v18 = k4 * w3_m
+            c3_pp = k7 * (v15 - v17)
+            c3_pm = k7 * (v15 + v17)
+            c3_mp = k7 * (v16 - v18)
+            c3_mm = k7 * (v16 + v18)
+            X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+            X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+            X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+            X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+            Y1_2_pp = d4 * c3_pp - a3 * s3_pp
+            Y1_2_pm = d4 * c3_pm - a3 * s3_pm
+            Y1_2_mp = d4 * c3_mp - a3 * s3_mp
+            Y1_2_mm = d4 * c3_mm - a3 * s3_mm
+            S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp
+            S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm
+            S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp
+            S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm
+            C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp
+            C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm
+            v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp
+            v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm
+            v21 = S2_pp * S2_pp + C2_pp * C2_pp
+            v22 = S2_pm * S2_pm + C2_pm * C2_pm
+            v23 = S2_mp * S2_mp + v19 * v19
+            v24 = S2_mm * S2_mm + v20 * v20
+            factor2_pp = 1.0 / math.sqrt(v21)
+            factor2_pm = 1.0 / math.sqrt(v22)
+            factor2_mp = 1.0 / math.sqrt(v23)
+            factor2_mm = 1.0 / math.sqrt(v24)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            v25 = v19 * factor2_mp
+            v26 = v20 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp
+            c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm
+            c2m3_mp = s3_mp * s2_mp - c3_mp * v25
+            c2m3_mm = s3_mm * s2_mm - c3_mm * v26
+            s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp
+            s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm
+            s2m3_mp = c3_mp * s2_mp + s3_mp * v25
+            s2m3_mm = c3_mm * s2_mm + s3_mm * v26
+            v27 = T13 * c1_p - T23 * s1_p
+            v28 = T13 * c1_m - T23 * s1_m
+            X4_pp = T33 * s2m3_pp - c2m3_pp * v27
+            X4_pm = T33 * s2m3_pm - c2m3_pm * v27
+            X4_mp = T33 * s2m3_mp - c2m3_mp * v28
+            X4_mm = T33 * s2m3_mm - c2m3_mm * v28
+            Y4_p = T23 * c1_p + T13 * s1_p
+            Y4_m = T23 * c1_m + T13 * s1_m
+            v29 = Y4_p * Y4_p
+            v30 = Y4_m * Y4_m
+            v31 = v29 + X4_pp * X4_pp
+            v32 = v29 + X4_pm * X4_pm
+            v33 = v30 + X4_mp * X4_mp
+            v34 = v30 + X4_mm * X4_mm
+            v35 = c1_p * T22 + s1_p * T12
+            v36 = c1_m * T22 + s1_m * T12
+            v37 = c1_p * T12 - s1_p * T22
+            v38 = c1_m * T12 - s1_m * T22
+            v39 = c1_p * T21 + s1_p * T11
+            v40 = c1_m * T21 + s1_m * T11
+            v41 = c1_p * T11 - s1_p * T21
+            v42 = c1_m * T11 - s1_m * T21
+            s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp
+            s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm
+            s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp
+            s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm
+            v51 = math.copysign(half_turn, Y4_p) * h1
+            v52 = math.copysign(half_turn, Y4_m) * h1
+            doubt = (
+                v24 <= m1 or v34 <= m2 or (v23 <= m1 or v33 <= m2 or (v22 <= m1 or v32 <= m2 or (v21
+                <= m1 or v31 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and
+                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
+                (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
+            )
+            work[1152 + k] = w3_p
+            work[3328 + k] = w3_m
+            work[672 + k] = s6_pp
+            work[1184 + k] = s6_pm
+            work[992 + k] = s6_mp
+            work[1536 + k] = s6_mm
+            work[4096 + k] = v51
+            work[4128 + k] = v52
+            work[4160 + k] = doubt
+            work[4192 + k] = v7
+            work[4224 + k] = v8
+            work[4256 + k] = S2_pp
+            work[4288 + k] = S2_pm
+            work[4320 + k] = S2_mp
+            work[4352 + k] = S2_mm
+            work[4384 + k] = w3_p
+            work[4416 + k] = w3_m
+            work[4448 + k] = Y4_p
+            work[4480 + k] = Y4_p
+            work[4512 + k] = Y4_m
+            work[4544 + k] = Y4_m
+            work[4576 + k] = -math.sqrt(v31)
+            work[4608 + k] = -math.sqrt(v32)
+            work[4640 + k] = -math.sqrt(v33)
+            work[4672 + k] = -math.sqrt(v34)
+            work[4704 + k] = s6_pp
+            work[4736 + k] = s6_pm
+            work[4768 + k] = s6_mp
+            work[4800 + k] = s6_mm
+            work[4832 + k] = v4
+            work[4864 + k] = v5
+            work[4896 + k] = C2_pp
+            work[4928 + k] = C2_pm
+            work[4960 + k] = -v19
+            work[4992 + k] = -v20
+            work[5024 + k] = K3_p
+            work[5056 + k] = K3_m
+            work[5088 + k] = -X4_pp
+            work[5120 + k] = -X4_pm
+            work[5152 + k] = -X4_mp
+            work[5184 + k] = -X4_mm
+            work[5216 + k] = T33 * c2m3_pp + s2m3_pp * v27
+            work[5248 + k] = T33 * c2m3_pm + s2m3_pm * v27
+            work[5280 + k] = T33 * c2m3_mp + s2m3_mp * v28
+            work[5312 + k] = T33 * c2m3_mm + s2m3_mm * v28
+            work[5344 + k] = v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32)
+            work[5376 + k] = v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32)
+            work[5408 + k] = v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32)
+            work[5440 + k] = v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32)
+        for k in range(4192, 4832):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            s6_pp = work[672 + k]
+            s6_mp = work[992 + k]
+            w3_p = work[1152 + k]
+            s6_pm = work[1184 + k]
+            s6_mm = work[1536 + k]
+            w3_m = work[3328 + k]
+            v51 = work[4096 + k]
+            v52 = work[4128 + k]
+            doubt = work[4160 + k] != 0.0
+            angle1 = work[4192 + k]
+            angle1_ = work[4224 + k]
+            angle1__ = work[4256 + k]
+            angle1___ = work[4288 + k]
+            angle1____ = work[4320 + k]
+            angle1_____ = work[4352 + k]
+            angle1______ = work[4384 + k]
+            angle1_______ = work[4416 + k]
+            angle1________ = work[4448 + k]
+            angle1_________ = work[4480 + k]
+            angle1__________ = work[4512 + k]
+            angle1___________ = work[4544 + k]
+            angle1____________ = work[4576 + k]
+            angle1_____________ = work[4608 + k]
+            angle1______________ = work[4640 + k]
+            angle1_______________ = work[4672 + k]
+            angle1________________ = work[4704 + k]
+            angle1_________________ = work[4736 + k]
+            angle1__________________ = work[4768 + k]
+            angle1___________________ = work[4800 + k]
+            v43 = angle1__ - offset2
+            v44 = angle1___ - offset2
+            v45 = angle1____ - offset2
+            v46 = angle1_____ - offset2
+            q2_ppp = v43 - (m3 if half_turn < v43 else 0.0)
+            q2_pmp = v44 - (m3 if half_turn < v44 else 0.0)
+            q2_mpp = v45 - (m3 if half_turn < v45 else 0.0)
+            q2_mmp = v46 - (m3 if half_turn < v46 else 0.0)
+            v47 = angle1______ - turn1 - offset3
+            v48 = offset3 + (turn1 + angle1______)
+            v49 = angle1_______ - turn1 - offset3
+            v50 = offset3 + (turn1 + angle1_______)
+            q3_ppp = v47 + (m3 if v47 <= -half_turn else 0.0)
+            q3_pmp = (m3 if -v48 <= -half_turn else 0.0) - v48
+            q3_mpp = v49 + (m3 if v49 <= -half_turn else 0.0)
+            q3_mmp = (m3 if -v50 <= -half_turn else 0.0) - v50
+            v53 = angle1________ - offset4
+            v54 = angle1________ - v51 - offset4
+            v55 = angle1_________ - offset4
+            v56 = angle1_________ - v51 - offset4
+            v57 = angle1__________ - offset4
+            v58 = angle1__________ - v52 - offset4
+            v59 = angle1___________ - offset4
+            v60 = angle1___________ - v52 - offset4
+            q4_ppp = v53 + (m3 if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 + (m3 if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 + (m3 if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 + (m3 if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 + (m3 if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 + (m3 if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 + (m3 if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 + (m3 if v60 <= -half_turn else 0.0)
+            v61 = angle1____________ - offset5
+            v62 = offset5 + angle1____________
+            v63 = angle1_____________ - offset5
+            v64 = offset5 + angle1_____________
+            v65 = angle1______________ - offset5
+            v66 = offset5 + angle1______________
+            v67 = angle1_______________ - offset5
+            v68 = offset5 + angle1_______________
+            q5_ppp = v61 + (m3 if v61 <= -half_turn else 0.0)
+            q5_ppm = (m3 if -v62 <= -half_turn else 0.0) - v62
+            q5_pmp = v63 + (m3 if v63 <= -half_turn else 0.0)
+            q5_pmm = (m3 if -v64 <= -half_turn else 0.0) - v64
+            q5_mpp = v65 + (m3 if v65 <= -half_turn else 0.0)
+            q5_mpm = (m3 if -v66 <= -half_turn else 0.0) - v66
+            q5_mmp = v67 + (m3 if v67 <= -half_turn else 0.0)
+            q5_mmm = (m3 if -v68 <= -half_turn else 0.0) - v68
+            v69 = angle1________________ - offset6
+            v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v71 = angle1_________________ - offset6
+            v72 = angle1_________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v73 = angle1__________________ - offset6
+            v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v75 = angle1___________________ - offset6
+            v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v69 + (m3 if v69 <= -half_turn else 0.0)
+            q6_ppm = v70 + (m3 if v70 <= -half_turn else 0.0)
+            q6_pmp = v71 + (m3 if v71 <= -half_turn else 0.0)
+            q6_pmm = v72 + (m3 if v72 <= -half_turn else 0.0)
+            q6_mpp = v73 + (m3 if v73 <= -half_turn else 0.0)
+            q6_mpm = v74 + (m3 if v74 <= -half_turn else 0.0)
+            q6_mmp = v75 + (m3 if v75 <= -half_turn else 0.0)
+            q6_mmm = v76 + (m3 if v76 <= -half_turn else 0.0)
+            v77 = angle1 < low1 or high1 < angle1
+            v78 = angle1_ < low1 or high1 < angle1_
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = angle1_ + (w3_m - w3_m)
+            v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
+            v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
+            v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))
+            v82 = q3_mmp < low3 or high3 < q3_mmp or (v78 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v79 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v79 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v80 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v80 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v81 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
+            _8032 = q1_ppp
+            work[8032 + k] = _8032
+            _8064 = q2_ppp
+            work[8064 + k] = _8064
+            _8096 = q3_ppp
+            work[8096 + k] = _8096
+            _8128 = q4_ppp
+            work[8128 + k] = _8128
+            _8160 = q5_ppp
+            work[8160 + k] = _8160
+            _8192 = q6_ppp
+            work[8192 + k] = _8192
+            _8224 = q4_ppm
+            work[8224 + k] = _8224
+            _8256 = q5_ppm
+            work[8256 + k] = _8256
+            _8288 = q6_ppm
+            work[8288 + k] = _8288
+            _8320 = q2_pmp
+            work[8320 + k] = _8320
+            _8352 = q3_pmp
+            work[8352 + k] = _8352
+            _8384 = q4_pmp
+            work[8384 + k] = _8384
+            _8416 = q5_pmp
+            work[8416 + k] = _8416
+            _8448 = q6_pmp
+            work[8448 + k] = _8448
+            _8480 = q4_pmm
+            work[8480 + k] = _8480
+            _8512 = q5_pmm
+            work[8512 + k] = _8512
+            _8544 = q6_pmm
+            work[8544 + k] = _8544
+            _8576 = q1_mpp
+            work[8576 + k] = _8576
+            _8608 = q2_mpp
+            work[8608 + k] = _8608
+            _8640 = q3_mpp
+            work[8640 + k] = _8640
+            _8672 = q4_mpp
+            work[8672 + k] = _8672
+            _8704 = q5_mpp
+            work[8704 + k] = _8704
+            _8736 = q6_mpp
+            work[8736 + k] = _8736
+            _8768 = q4_mpm
+            work[8768 + k] = _8768
+            _8800 = q5_mpm
+            work[8800 + k] = _8800
+            _8832 = q6_mpm
+            work[8832 + k] = _8832
+            _8864 = q2_mmp
+            work[8864 + k] = _8864
+            _8896 = q3_mmp
+            work[8896 + k] = _8896
+            _8928 = q4_mmp
+            work[8928 + k] = _8928
+            _8960 = q5_mmp
+            work[8960 + k] = _8960
+            _8992 = q6_mmp
+            work[8992 + k] = _8992
+            _9024 = q4_mmm
+            work[9024 + k] = _9024
+            _9056 = q5_mmm
+            work[9056 + k] = _9056
+            _9088 = q6_mmm
+            work[9088 + k] = _9088
+            work[9120 + k] = (
+                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[9152 + k] = (
+                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[9184 + k] = (
+                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[9216 + k] = (
+                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[9248 + k] = (
+                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[9280 + k] = (
+                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[9312 + k] = (
+                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[9344 + k] = (
+                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -637,14 +1405,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "craig_417"
 METHOD = "closed form"
@@ -62,6 +63,10 @@ k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * (d3 + d4) [m]
 f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 8.099999999999999e-47  # free_limit_squared2^2 [m^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -78,7 +83,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -108,7 +113,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -164,6 +169,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -379,15 +387,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(4):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -401,6 +406,165 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 3]
+    N1 = T13 * T13 + T23 * T23
+    D1 = N1 - k3
+    free1 = N1 <= free_limit_squared
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = k2 * T13
+    v2 = k2 * T23
+    v3 = T13 * w1
+    v4 = v2 - v3
+    v5 = v2 + v3
+    c1_p = inverse1 * v4
+    c1_m = inverse1 * v5
+    v6 = T23 * w1
+    v7 = v1 + v6
+    v8 = v1 - v6
+    v9 = inverse1 * v7
+    v10 = inverse1 * v8
+
+    # theta2, type 3: U1[3, 3] and U1[1, 3]
+    S2 = k2 * w1
+    v11 = k2 * T33
+    v12 = v11 * v11 + S2 * S2
+    v13 = 1.0 / math.sqrt(v12)
+    c2 = v11 * v13
+    v14 = S2 * v13
+    angle1 = _atan2(-S2, v11)
+
+    # theta34, type 3: U1[2, 2] and U1[2, 1]
+    v15 = k2 * (c1_p * T21 + v9 * T11)
+    v16 = k2 * (c1_m * T21 + v10 * T11)
+    v17 = k2 * (c1_p * T22 + v9 * T12)
+    v18 = k2 * (c1_m * T22 + v10 * T12)
+    v19 = v15 * v15 + v17 * v17
+    v20 = v16 * v16 + v18 * v18
+    v21 = 1.0 / math.sqrt(v19)
+    v22 = 1.0 / math.sqrt(v20)
+    c34_p = v17 * v21
+    c34_m = v18 * v22
+    s34_p = v15 * v21
+    s34_m = v16 * v22
+
+    # theta3, type 3: U2[3, 4] and U2[1, 4]
+    v23 = 2.0 * T24
+    v24 = 2.0 * T14
+    v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)))
+    v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)))
+    v27 = v14 * T34
+    C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24))
+    C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27)
+    v28 = -1.0 if k2 < 0.0 else 1.0
+    v29 = v25 * v25 + C3_p * C3_p
+    v30 = v26 * v26 + C3_m * C3_m
+    factor3_p = v28 / math.sqrt(v29)
+    factor3_m = v28 / math.sqrt(v30)
+    c3_p = C3_p * factor3_p
+    c3_m = C3_m * factor3_m
+    v31 = v25 * factor3_p
+    v32 = v26 * factor3_m
+    angle1_ = _atan2(-v31, c3_p)
+    angle1__ = _atan2(-v32, c3_m)
+
+    # is the pose one that the arm can take?
+    v33 = c1_p * c2
+    v34 = c1_m * c2
+    v35 = 2.0 * v33
+    v36 = 2.0 * v34
+    v37 = c1_p * v14
+    v38 = c1_m * v14
+    v39 = sqrt2 * (v9 + v37)
+    v40 = sqrt2 * (v10 - v38)
+    v41 = k6 * c1_p
+    v42 = k6 * c1_m
+    v43 = k6 * v9
+    v44 = k6 * v10
+    v45 = v9 * c2
+    v46 = v10 * c2
+    v47 = 2.0 * v45
+    v48 = 2.0 * v46
+    v49 = v9 * v14
+    v50 = v10 * v14
+    v51 = sqrt2 * (c1_p - v49)
+    v52 = sqrt2 * (c1_m + v50)
+    v53 = v14 * 2.0
+    v54 = sqrt2 * c2
+    v55 = sqrt2 * (k6 * c2)
+    v56 = 2.0 * (a3 * v14)
+    v57 = a3 * v54
+    v58 = abs(T33 - k1 * v54) <= pose_slack
+    v59 = math.sqrt(-1.0)
+    v60 = (
+        0.0 if (abs(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <= pose_slack1 and (v58 and
+        (abs(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack and (abs(T31 + k1 * (s34_p * v54
+        - c34_p * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v41 + v14 * v43) - (c3_p * (2.0
+        * (a3 * v45)) + v31 * (a3 * v51)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_p +
+        v49))) <= pose_slack and (abs(T22 - k1 * (c34_p * v51 + s34_p * v47)) <= pose_slack and
+        (abs(T21 - k1 * (s34_p * v51 - c34_p * v47)) <= pose_slack and (abs(T14 - k1 * (c3_p * (2.0
+        * (a3 * v33)) - v31 * (a3 * v39) + sqrt2 * (v43 - v14 * v41))) <= pose_slack1 and (abs(T13 -
+        k1 * (sqrt2 * (v9 - v37))) <= pose_slack and (abs(T11 - k1 * (c34_p * v35 + s34_p * v39)) <=
+        pose_slack and abs(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))) else v59
+    )
+    v61 = (
+        0.0 if (abs(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <= pose_slack1 and (v58 and
+        (abs(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack and (abs(T31 + k1 * (s34_m * v54
+        + c34_m * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v42 - v14 * v44) - (c3_m * (2.0
+        * (a3 * v46)) + v32 * (a3 * v52)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_m -
+        v50))) <= pose_slack and (abs(T22 - k1 * (c34_m * v52 + s34_m * v48)) <= pose_slack and
+        (abs(T21 - k1 * (s34_m * v52 - c34_m * v48)) <= pose_slack and (abs(T14 - k1 * (c3_m * (2.0
+        * (a3 * v34)) - v32 * (a3 * v40) + sqrt2 * (v44 + v14 * v42))) <= pose_slack1 and (abs(T13 -
+        k1 * (sqrt2 * (v10 + v38))) <= pose_slack and (abs(T11 - k1 * (c34_m * v36 + s34_m * v40))
+        <= pose_slack and abs(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))) else
+        v59
+    )
+
+    # joint values
+    angle1___ = _atan2(v15, v17)
+    v62 = angle1___ - angle1_
+    angle1____ = _atan2(v16, v18)
+    v63 = angle1____ - angle1__
+    free3__p = v19 <= m1 or v29 <= m2
+    free3__m = v20 <= m1 or v30 <= m2
+    angle1_____ = _atan2(-v7, v4)
+    q1_p = v60 + angle1_____
+    angle1______ = _atan2(-v8, v5)
+    q1_m = v61 + angle1______
+    q2_p = angle1 + v60
+    q2_m = v61 - angle1
+    q3_p = angle1_ + v60
+    q3_m = angle1__ + v61
+    q4_p = v60 + (v62 - (m3 if half_turn < v62 else 0.0) + (m3 if v62 <= -half_turn else 0.0))
+    q4_m = v61 + (v63 - (m3 if half_turn < v63 else 0.0) + (m3 if v63 <= -half_turn else 0.0))
+    doubt = (
+        free3__m or free3__m or (v12 <= m1 or (free1 or -k4 <= D1 and (free1 or not (k5 < D1))) or
+        (free3__p or free3__p))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -424,13 +588,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (4,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -447,10 +621,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -510,10 +682,245 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(4)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [3968, 4000, 4032, 4064],
+    [4096, 4128, 4160, 4192],
+])
+_KINDS = np.array([4224, 4256])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(4288)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            N1 = T13 * T13 + T23 * T23
+            D1 = N1 - k3
+            free1 = N1 <= free_limit_squared
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = k2 * T13
+            v2 = k2 * T23
+            v3 = T13 * w1
+            v4 = v2 - v3
+            v5 = v2 + v3
+            c1_p = inverse1 * v4
+            c1_m = inverse1 * v5
+            v6 = T23 * w1
+            v7 = v1 + v6
+            v8 = v1 - v6
+            v9 = inverse1 * v7
+            v10 = inverse1 * v8
+            S2 = k2 * w1
+            v11 = k2 * T33
+            v12 = v11 * v11 + S2 * S2
+            v13 = 1.0 / math.sqrt(v12)
+            c2 = v11 * v13
+            v14 = S2 * v13
+            v15 = k2 * (c1_p * T21 + v9 * T11)
+            v16 = k2 * (c1_m * T21 + v10 * T11)
+            v17 = k2 * (c1_p * T22 + v9 * T12)
+            v18 = k2 * (c1_m * T22 + v10 * T12)
+            v19 = v15 * v15 + v17 * v17
+            v20 = v16 * v16 + v18 * v18
+            v21 = 1.0 / math.sqrt(v19)
+            v22 = 1.0 / math.sqrt(v20)
+            c34_p = v17 * v21
+            c34_m = v18 * v22
+            s34_p = v15 * v21
+            s34_m = v16 * v22
+            v23 = 2.0 * T24
+            v24 = 2.0 * T14
+            v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)))
+            v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)))
+            v27 = v14 * T34
+            C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24))
+            C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27)
+            v28 = -1.0 if k2 < 0.0 else 1.0
+            v29 = v25 * v25 + C3_p * C3_p
+            v30 = v26 * v26 + C3_m * C3_m
+            factor3_p = v28 / math.sqrt(v29)
+            factor3_m = v28 / math.sqrt(v30)
+            c3_p = C3_p * factor3_p
+            c3_m = C3_m * factor3_m
+            v31 = v25 * factor3_p
+            v32 = v26 * factor3_m
+            v33 = c1_p * c2
+            v34 = c1_m * c2
+            v35 = 2.0 * v33
+            v36 = 2.0 * v34
+            v37 = c1_p * v14
+            v38 = c1_m * v14
+            v39 = sqrt2 * (v9 + v37)
+            v40 = sqrt2 * (v10 - v38)
+            v41 = k6 * c1_p
+            v42 = k6 * c1_m
+            v43 = k6 * v9
+            v44 = k6 * v10
+            v45 = v9 * c2
+            v46 = v10 * c2
+            v47 = 2.0 * v45
+            v48 = 2.0 * v46
+            v49 = v9 * v14
+            v50 = v10 * v14
+            v51 = sqrt2 * (c1_p - v49)
+            v52 = sqrt2 * (c1_m + v50)
+            v53 = v14 * 2.0
+            v54 = sqrt2 * c2
+            v55 = sqrt2 * (k6 * c2)
+            v56 = 2.0 * (a3 * v14)
+            v57 = a3 * v54
+            v58 = abs(T33 - k1 * v54) <= pose_slack
+            v59 = math.sqrt(-1.0)
+            v60 = (
+                0.0 if (abs(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <= pose_slack1 and (v58 and
+                (abs(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack and (abs(T31 + k1 *
+                (s34_p * v54 - c34_p * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v41 + v14 *
+                v43) - (c3_p * (2.0 * (a3 * v45)) + v31 * (a3 * v51)))) <= pose_slack1 and (abs(T23
+                - k1 * (sqrt2 * (c1_p + v49))) <= pose_slack and (abs(T22 - k1 * (c34_p * v51 +
+                s34_p * v47)) <= pose_slack and (abs(T21 - k1 * (s34_p * v51 - c34_p * v47)) <=
+                pose_slack and (abs(T14 - k1 * (c3_p * (2.0 * (a3 * v33)) - v31 * (a3 * v39) + sqrt2
+                * (v43 - v14 * v41))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v9 - v37))) <=
+                pose_slack and (abs(T11 - k1 * (c34_p * v35 + s34_p * v39)) <= pose_slack and
+                abs(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))) else v59
+            )
+            v61 = (
+                0.0 if (abs(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <= pose_slack1 and (v58 and
+                (abs(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack and (abs(T31 + k1 *
+                (s34_m * v54 + c34_m * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v42 - v14 *
+                v44) - (c3_m * (2.0 * (a3 * v46)) + v32 * (a3 * v52)))) <= pose_slack1 and (abs(T23
+                - k1 * (sqrt2 * (c1_m - v50))) <= pose_slack and (abs(T22 - k1 * (c34_m * v52 +
+                s34_m * v48)) <= pose_slack and (abs(T21 - k1 * (s34_m * v52 - c34_m * v48)) <=
+                pose_slack and (abs(T14 - k1 * (c3_m * (2.0 * (a3 * v34)) - v32 * (a3 * v40) + sqrt2
+                * (v44 + v14 * v42))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v10 + v38))) <=
+                pose_slack and (abs(T11 - k1 * (c34_m * v36 + s34_m * v40)) <= pose_slack and
+                abs(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))) else v59
+            )
+            free3__p = v19 <= m1 or v29 <= m2
+            free3__m = v20 <= m1 or v30 <= m2
+            doubt = (
+                free3__m or free3__m or (v12 <= m1 or (free1 or -k4 <= D1 and (free1 or not (k5 <
+                D1))) or (free3__p or free3__p))
+            )
+            work[3104 + k] = v60
+            work[3136 + k] = v61
+            work[3168 + k] = doubt
+            work[3200 + k] = -S2
+            work[3232 + k] = -v31
+            work[3264 + k] = -v32
+            work[3296 + k] = v15
+            work[3328 + k] = v16
+            work[3360 + k] = -v7
+            work[3392 + k] = -v8
+            work[3424 + k] = v11
+            work[3456 + k] = c3_p
+            work[3488 + k] = c3_m
+            work[3520 + k] = v17
+            work[3552 + k] = v18
+            work[3584 + k] = v4
+            work[3616 + k] = v5
+        for k in range(3200, 3424):
+            work[k] = _atan2(work[k], work[k + 224])
+        for k in range(0, 32):
+            v60 = work[3104 + k]
+            v61 = work[3136 + k]
+            doubt = work[3168 + k] != 0.0
+            angle1 = work[3200 + k]
+            angle1_ = work[3232 + k]
+            angle1__ = work[3264 + k]
+            angle1___ = work[3296 + k]
+            angle1____ = work[3328 + k]
+            angle1_____ = work[3360 + k]
+            angle1______ = work[3392 + k]
+            v62 = angle1___ - angle1_
+            v63 = angle1____ - angle1__
+            q1_p = v60 + angle1_____
+            q1_m = v61 + angle1______
+            q2_p = angle1 + v60
+            q2_m = v61 - angle1
+            q3_p = angle1_ + v60
+            q3_m = angle1__ + v61
+            q4_p = (
+                v60 + (v62 - (m3 if half_turn < v62 else 0.0) + (m3 if v62 <= -half_turn else 0.0))
+            )
+            q4_m = (
+                v61 + (v63 - (m3 if half_turn < v63 else 0.0) + (m3 if v63 <= -half_turn else 0.0))
+            )
+            _3968 = q1_p
+            work[3968 + k] = _3968
+            _4000 = q2_p
+            work[4000 + k] = _4000
+            _4032 = q3_p
+            work[4032 + k] = _4032
+            _4064 = q4_p
+            work[4064 + k] = _4064
+            _4096 = q1_m
+            work[4096 + k] = _4096
+            _4128 = q2_m
+            work[4128 + k] = _4128
+            _4160 = q3_m
+            work[4160 + k] = _4160
+            _4192 = q4_m
+            work[4192 + k] = _4192
+            work[4224 + k] = UNREACHABLE if _3968 != _3968 else OK
+            work[4256 + k] = UNREACHABLE if _4096 != _4096 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(4):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -524,14 +931,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "cylindrical"
 METHOD = "closed form"
@@ -49,6 +50,7 @@ d1 = 0.3  # joint offset 1 [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -66,7 +68,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -113,6 +115,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -227,15 +232,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(1):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(1):
@@ -249,6 +251,51 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r2, type 1: U0[3, 4]
+    r2 = T34 - d1
+
+    # theta1, type 3: U0[1, 3] and U0[2, 3]
+    v1 = T21 * T21 + T11 * T11
+    doubt = v1 <= m1
+    v2 = 1.0 / math.sqrt(v1)
+    c1 = T11 * v2
+    s1 = T21 * v2
+
+    # r3, type 1: U1[2, 4]
+    r3 = c1 * T24 - s1 * T14
+
+    # is the pose one that the arm can take?
+    v3 = (
+        0.0 if (abs(T34 - (d1 + r2)) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(1.0 + T32)
+        <= pose_slack and (abs(T31) <= pose_slack and (abs(T24 - c1 * r3) <= pose_slack1 and
+        (abs(T23 - c1) <= pose_slack and (abs(T22) <= pose_slack and (abs(T21 - s1) <= pose_slack
+        and (abs(T14 + s1 * r3) <= pose_slack1 and (abs(s1 + T13) <= pose_slack and (abs(T11 - c1)
+        <= pose_slack and abs(T12) <= pose_slack))))))))))) else math.sqrt(-1.0)
+    )
+
+    # joint values
+    angle1 = _atan2(T21, T11)
+    q1 = v3 + angle1
+    q2 = r2 + v3
+    q3 = r3 + v3
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1
+    q[0, 1] = q2
+    q[0, 2] = q3
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    return True
 
 
 @_jit
@@ -272,13 +319,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (1, 3) or status.shape != (1,):
         raise ValueError("T, q and status must be (4, 4), (1, 3) and (1,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(1):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -295,10 +352,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((1, 3)), np.empty(1, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -360,10 +415,113 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [960, 992, 1024],
+])
+_KINDS = np.array([1056])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1088)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            r2 = T34 - d1
+            v1 = T21 * T21 + T11 * T11
+            doubt = v1 <= m1
+            v2 = 1.0 / math.sqrt(v1)
+            c1 = T11 * v2
+            s1 = T21 * v2
+            r3 = c1 * T24 - s1 * T14
+            v3 = (
+                0.0 if (abs(T34 - (d1 + r2)) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(1.0
+                + T32) <= pose_slack and (abs(T31) <= pose_slack and (abs(T24 - c1 * r3) <=
+                pose_slack1 and (abs(T23 - c1) <= pose_slack and (abs(T22) <= pose_slack and
+                (abs(T21 - s1) <= pose_slack and (abs(T14 + s1 * r3) <= pose_slack1 and (abs(s1 +
+                T13) <= pose_slack and (abs(T11 - c1) <= pose_slack and abs(T12) <=
+                pose_slack))))))))))) else math.sqrt(-1.0)
+            )
+            q2 = r2 + v3
+            q3 = r3 + v3
+            work[768 + k] = doubt
+            work[576 + k] = v3
+            work[800 + k] = q2
+            work[832 + k] = q3
+            work[864 + k] = T21
+            work[896 + k] = T11
+        for k in range(864, 896):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 32):
+            v3 = work[576 + k]
+            doubt = work[768 + k] != 0.0
+            q2 = work[800 + k]
+            q3 = work[832 + k]
+            angle1 = work[864 + k]
+            q1 = v3 + angle1
+            _960 = q1
+            work[960 + k] = _960
+            _992 = q2
+            work[992 + k] = _992
+            _1024 = q3
+            work[1024 + k] = _1024
+            work[1056 + k] = UNREACHABLE if _960 != _960 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(1):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -374,14 +532,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 1, 3)), np.empty((len(T), 1), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -23,7 +23,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "cylindrical_wrist"
 METHOD = "closed form"
@@ -56,6 +57,10 @@ d1 = 0.3  # joint offset 1 [m]
 d6 = 0.1  # joint offset 6 [m]
 free_limit1 = 4e-13  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.6e-25  # free_limit1^2 [m^2]
+m3 = 1e-24  # free_limit^2
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -73,7 +78,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -144,6 +149,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -332,15 +340,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -354,6 +359,83 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r2, type 1: U0 A6^-1 [3, 4]
+    q2_pp = T34 - d6 * T33 - d1
+
+    # theta1, r3, type 4: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
+    wy = T24 - d6 * T23
+    v1 = d6 * T13 - T14
+    v2 = v1 * v1 + wy * wy
+    q3_pp = math.sqrt(v2)
+    factor1 = 1.0 / q3_pp
+    c1 = wy * factor1
+    s1 = v1 * factor1
+    angle1 = _atan2(v1, wy)
+    q1_mp = angle1 - math.copysign(half_turn, v1) * h1
+
+    # theta4, type 2: U4[3, 3]
+    X4 = T13 * c1 + T23 * s1
+    v3 = T33 * T33 + X4 * X4
+    w4 = math.sqrt(v3)
+    factor4 = 1.0 / w4
+    v4 = X4 * factor4
+    s4 = T33 * factor4
+    angle1_ = _atan2(T33, -X4)
+    q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1__ = _atan2(-w4, T23 * c1 - T13 * s1)
+    q5_mp = h1 * math.copysign(half_turn, -w4) - angle1__
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
+    angle1___ = _atan2(v5, v4 * T32 - s4 * (c1 * T12 + s1 * T22))
+    q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
+
+    # joint values
+    doubt = v2 <= m1 or v3 <= m3
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1
+    q[0, 1] = q2_pp
+    q[0, 2] = q3_pp
+    q[0, 3] = angle1_
+    q[0, 4] = angle1__
+    q[0, 5] = angle1___
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = angle1
+    q[1, 1] = q2_pp
+    q[1, 2] = q3_pp
+    q[1, 3] = q4_pm
+    q[1, 4] = -angle1__
+    q[1, 5] = q6_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = q2_pp
+    q[2, 2] = -q3_pp
+    q[2, 3] = -q4_pm
+    q[2, 4] = q5_mp
+    q[2, 5] = q6_pm
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mp
+    q[3, 1] = q2_pp
+    q[3, 2] = -q3_pp
+    q[3, 3] = -angle1_
+    q[3, 4] = -q5_mp
+    q[3, 5] = angle1___
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -377,13 +459,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -400,10 +492,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 6)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -465,10 +555,159 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1440, 1472, 1504, 1536, 1568, 1600],
+    [1440, 1472, 1504, 1632, 1664, 1696],
+    [1728, 1472, 1760, 1792, 1824, 1696],
+    [1728, 1472, 1760, 1856, 1888, 1600],
+])
+_KINDS = np.array([1920, 1952, 1984, 2016])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2048)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            q2_pp = T34 - d6 * T33 - d1
+            wy = T24 - d6 * T23
+            v1 = d6 * T13 - T14
+            v2 = v1 * v1 + wy * wy
+            q3_pp = math.sqrt(v2)
+            factor1 = 1.0 / q3_pp
+            c1 = wy * factor1
+            s1 = v1 * factor1
+            X4 = T13 * c1 + T23 * s1
+            v3 = T33 * T33 + X4 * X4
+            w4 = math.sqrt(v3)
+            factor4 = 1.0 / w4
+            v4 = X4 * factor4
+            s4 = T33 * factor4
+            v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
+            doubt = v2 <= m1 or v3 <= m3
+            work[992 + k] = q2_pp
+            work[736 + k] = v1
+            work[864 + k] = q3_pp
+            work[896 + k] = w4
+            work[704 + k] = v5
+            work[1024 + k] = doubt
+            work[1056 + k] = v1
+            work[1088 + k] = T33
+            work[1120 + k] = -w4
+            work[1152 + k] = v5
+            work[1184 + k] = wy
+            work[1216 + k] = -X4
+            work[1248 + k] = T23 * c1 - T13 * s1
+            work[1280 + k] = v4 * T32 - s4 * (c1 * T12 + s1 * T22)
+        for k in range(1056, 1184):
+            work[k] = _atan2(work[k], work[k + 128])
+        for k in range(0, 32):
+            T33 = work[320 + k]
+            v5 = work[704 + k]
+            v1 = work[736 + k]
+            q3_pp = work[864 + k]
+            w4 = work[896 + k]
+            q2_pp = work[992 + k]
+            doubt = work[1024 + k] != 0.0
+            angle1 = work[1056 + k]
+            angle1_ = work[1088 + k]
+            angle1__ = work[1120 + k]
+            angle1___ = work[1152 + k]
+            q1_mp = angle1 - math.copysign(half_turn, v1) * h1
+            q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
+            q5_mp = h1 * math.copysign(half_turn, -w4) - angle1__
+            q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
+            _1440 = angle1
+            work[1440 + k] = _1440
+            _1472 = q2_pp
+            work[1472 + k] = _1472
+            _1504 = q3_pp
+            work[1504 + k] = _1504
+            _1536 = angle1_
+            work[1536 + k] = _1536
+            _1568 = angle1__
+            work[1568 + k] = _1568
+            _1600 = angle1___
+            work[1600 + k] = _1600
+            _1632 = q4_pm
+            work[1632 + k] = _1632
+            _1664 = -angle1__
+            work[1664 + k] = _1664
+            _1696 = q6_pm
+            work[1696 + k] = _1696
+            _1728 = q1_mp
+            work[1728 + k] = _1728
+            _1760 = -q3_pp
+            work[1760 + k] = _1760
+            _1792 = -q4_pm
+            work[1792 + k] = _1792
+            _1824 = q5_mp
+            work[1824 + k] = _1824
+            _1856 = -angle1_
+            work[1856 + k] = _1856
+            _1888 = -q5_mp
+            work[1888 + k] = _1888
+            work[1920 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1952 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[1984 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[2016 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -479,14 +718,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "denso_vs060"
 METHOD = "closed form"
@@ -77,6 +78,21 @@ k1 = 0.183  # 2 * d4 * a2 [m^2]
 k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = 1.5374753309166493  # a constant angle [rad]
+low1 = -2.967060001  # lowest value of joint 1
+high1 = 2.967060001  # highest value of joint 1
+low2 = -2.094395001  # lowest value of joint 2
+high2 = 2.094395001  # highest value of joint 2
+low3 = -2.1816620010000003  # lowest value of joint 3
+high3 = 2.705260001  # highest value of joint 3
+low5 = -2.094395001  # lowest value of joint 5
+high5 = 2.094395001  # highest value of joint 5
+m1 = 1.0609e-24  # free_limit1^2 [m^2]
+m2 = 1.1255088099999996e-48  # free_limit_squared2^2 [m^4]
+m3 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -93,7 +109,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -123,7 +139,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -193,6 +209,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -476,15 +495,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -498,6 +514,255 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = T24 - d6 * T23
+    v1 = X1 * X1 + wy * wy
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = X1 * factor1
+    s1 = wy * factor1
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    N3 = v1 + Z1_3 * Z1_3
+    K3 = N3 - k3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v3 = w3 - w3
+    v4 = k1 * K3
+    v5 = k2 * w3
+    s3_p = k4 * (v5 - v4)
+    v6 = k4 * (v4 + v5)
+    v7 = k2 * K3
+    v8 = k1 * w3
+    c3_p = k4 * (v7 + v8)
+    c3_m = k4 * (v7 - v8)
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+    X1_2_m = a2 + (a3 * c3_m + d4 * v6)
+    Y1_2_p = d4 * c3_p + a3 * s3_p
+    Y1_2_m = d4 * c3_m - a3 * v6
+    v9 = Z1_3 * X1_2_p
+    v10 = Z1_3 * X1_2_m
+    v11 = w1 * Y1_2_p
+    v12 = w1 * Y1_2_m
+    S2_pp = v9 - v11
+    S2_pm = v10 - v12
+    S2_mp = v9 + v11
+    S2_mm = v10 + v12
+    v13 = w1 * X1_2_p
+    v14 = w1 * X1_2_m
+    v15 = Z1_3 * Y1_2_p
+    v16 = Z1_3 * Y1_2_m
+    C2_pp = v13 + v15
+    C2_pm = v14 + v16
+    C2_mp = v15 - v13
+    C2_mm = v16 - v14
+    v17 = S2_pp * S2_pp + C2_pp * C2_pp
+    v18 = S2_pm * S2_pm + C2_pm * C2_pm
+    v19 = S2_mp * S2_mp + C2_mp * C2_mp
+    v20 = S2_mm * S2_mm + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v17)
+    factor2_pm = 1.0 / math.sqrt(v18)
+    factor2_mp = 1.0 / math.sqrt(v19)
+    factor2_mm = 1.0 / math.sqrt(v20)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c23_pp = c3_p * c2_pp - s3_p * s2_pp
+    c23_pm = c3_m * c2_pm + v6 * s2_pm
+    c23_mp = c3_p * c2_mp - s3_p * s2_mp
+    c23_mm = c3_m * c2_mm + v6 * s2_mm
+    s23_pp = c3_p * s2_pp + s3_p * c2_pp
+    s23_pm = c3_m * s2_pm - v6 * c2_pm
+    s23_mp = c3_p * s2_mp + s3_p * c2_mp
+    s23_mm = c3_m * s2_mm - v6 * c2_mm
+    v21 = T23 * s1 - T13 * v2
+    c4_pp = T33 * s23_pp + c23_pp * v21
+    c4_pm = T33 * s23_pm + c23_pm * v21
+    c4_mp = T33 * s23_mp - c23_mp * v21
+    c4_mm = T33 * s23_mm - c23_mm * v21
+    v22 = T23 * v2 + T13 * s1
+    v23 = v22 * v22
+    v24 = v23 + c4_pp * c4_pp
+    v25 = v23 + c4_pm * c4_pm
+    v26 = v23 + c4_mp * c4_mp
+    v27 = v23 + c4_mm * c4_mm
+    angle1 = _atan2(-v22, c4_pp)
+    angle1_ = _atan2(-v22, c4_pm)
+    angle1__ = _atan2(v22, c4_mp)
+    angle1___ = _atan2(v22, c4_mm)
+    v28 = math.copysign(half_turn, -v22) * h1
+    v29 = math.copysign(half_turn, v22) * h1
+    q4_ppm = angle1 - v28
+    q4_pmm = angle1_ - v28
+    q4_mpm = angle1__ - v29
+    q4_mmm = angle1___ - v29
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v30 = s1 * T12 + v2 * T22
+    v31 = s1 * T22 - v2 * T12
+    v32 = s1 * T11 + v2 * T21
+    v33 = s1 * T21 - v2 * T11
+    v34 = c4_pp * v32 - v22 * (s23_pp * T31 + c23_pp * v33)
+    v35 = c4_pm * v32 - v22 * (s23_pm * T31 + c23_pm * v33)
+    v36 = v22 * (s23_mp * T31 - c23_mp * v33) - c4_mp * v32
+    v37 = v22 * (s23_mm * T31 - c23_mm * v33) - c4_mm * v32
+    angle1____ = _atan2(v34, c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31))
+    angle1_____ = _atan2(v35, c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31))
+    angle1______ = _atan2(v36, v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30)
+    angle1_______ = _atan2(v37, v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30)
+    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v34)
+    q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v35)
+    q6_mpm = angle1______ - h1 * math.copysign(half_turn, v36)
+    q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v37)
+
+    # joint values
+    angle1________ = _atan2(wy, -X1)
+    v38 = angle1________ - offset1
+    v39 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
+    q1__p = v38 + (m5 if v38 <= -half_turn else 0.0)
+    q1__m = v39 + (m5 if v39 <= -half_turn else 0.0)
+    angle1_________ = _atan2(S2_pp, C2_pp)
+    v40 = angle1_________ - offset2
+    angle1__________ = _atan2(S2_pm, C2_pm)
+    v41 = angle1__________ - offset2
+    angle1___________ = _atan2(S2_mp, C2_mp)
+    v42 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_mm, C2_mm)
+    v43 = angle1____________ - offset2
+    q2_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
+    q2_pmp = v41 + (m5 if v41 <= -half_turn else 0.0)
+    q2_mpp = v42 + (m5 if v42 <= -half_turn else 0.0)
+    q2_mmp = v43 + (m5 if v43 <= -half_turn else 0.0)
+    angle1_____________ = _atan2(w3, K3)
+    v44 = angle1_____________ - turn1 - offset3
+    v45 = offset3 + (turn1 + angle1_____________)
+    q3_ppp = v44 - (m5 if half_turn < v44 else 0.0)
+    angle1______________ = _atan2(math.sqrt(v24), s23_pp * v21 - T33 * c23_pp)
+    angle1_______________ = _atan2(math.sqrt(v25), s23_pm * v21 - T33 * c23_pm)
+    angle1________________ = _atan2(math.sqrt(v26), -(s23_mp * v21 + T33 * c23_mp))
+    angle1_________________ = _atan2(math.sqrt(v27), -(s23_mm * v21 + T33 * c23_mm))
+    v46 = angle1______________ - offset5
+    v47 = offset5 + angle1______________
+    v48 = angle1_______________ - offset5
+    v49 = offset5 + angle1_______________
+    v50 = angle1________________ - offset5
+    v51 = offset5 + angle1________________
+    v52 = angle1_________________ - offset5
+    v53 = offset5 + angle1_________________
+    q5_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v47 <= -half_turn else 0.0) - v47
+    q5_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v49 <= -half_turn else 0.0) - v49
+    q5_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v51 <= -half_turn else 0.0) - v51
+    q5_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v53 <= -half_turn else 0.0) - v53
+    v54 = q1__p < low1 or high1 < q1__p
+    v55 = q1__m < low1 or high1 < q1__m
+    v56 = q3_ppp < low3 or high3 < q3_ppp
+    v57 = (
+        -(v45 + (m5 if half_turn < -v45 else 0.0)) < low3 or high3 < -(v45 + (m5 if half_turn < -v45
+        else 0.0))
+    )
+    q1_ppp = v3 + q1__p
+    q1_mpp = v3 + q1__m
+    v58 = v56 or (v54 or (q2_ppp < low2 or high2 < q2_ppp))
+    v59 = v57 or (v54 or (q2_pmp < low2 or high2 < q2_pmp))
+    v60 = v56 or (v55 or (q2_mpp < low2 or high2 < q2_mpp))
+    v61 = v57 or (v55 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v58 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v58 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v59 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v59 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v60 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v60 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v61 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v61 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt = (
+        v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v18 <= m2 or v25 <= m3 or (v1 <= m1 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v17 <= m2 or v24 <= m3))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1____
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[2, 3] = angle1_
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1_____
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1__
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1______
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[6, 3] = angle1___
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1_______
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -521,13 +786,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -544,10 +819,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -607,10 +880,394 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6272, 6304, 6336, 6368, 6400, 6432],
+    [6272, 6304, 6336, 6464, 6496, 6528],
+    [6272, 6560, 6592, 6624, 6656, 6688],
+    [6272, 6560, 6592, 6720, 6752, 6784],
+    [6816, 6848, 6336, 6880, 6912, 6944],
+    [6816, 6848, 6336, 6976, 7008, 7040],
+    [6816, 7072, 6592, 7104, 7136, 7168],
+    [6816, 7072, 6592, 7200, 7232, 7264],
+])
+_KINDS = np.array([7296, 7328, 7360, 7392, 7424, 7456, 7488, 7520])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7552)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = T24 - d6 * T23
+            v1 = X1 * X1 + wy * wy
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = X1 * factor1
+            s1 = wy * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            N3 = v1 + Z1_3 * Z1_3
+            K3 = N3 - k3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v3 = w3 - w3
+            v4 = k1 * K3
+            v5 = k2 * w3
+            s3_p = k4 * (v5 - v4)
+            v6 = k4 * (v4 + v5)
+            v7 = k2 * K3
+            v8 = k1 * w3
+            c3_p = k4 * (v7 + v8)
+            c3_m = k4 * (v7 - v8)
+            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+            X1_2_m = a2 + (a3 * c3_m + d4 * v6)
+            Y1_2_p = d4 * c3_p + a3 * s3_p
+            Y1_2_m = d4 * c3_m - a3 * v6
+            v9 = Z1_3 * X1_2_p
+            v10 = Z1_3 * X1_2_m
+            v11 = w1 * Y1_2_p
+            v12 = w1 * Y1_2_m
+            S2_pp = v9 - v11
+            S2_pm = v10 - v12
+            S2_mp = v9 + v11
+            S2_mm = v10 + v12
+            v13 = w1 * X1_2_p
+            v14 = w1 * X1_2_m
+            v15 = Z1_3 * Y1_2_p
+            v16 = Z1_3 * Y1_2_m
+            C2_pp = v13 + v15
+            C2_pm = v14 + v16
+            C2_mp = v15 - v13
+            C2_mm = v16 - v14
+            v17 = S2_pp * S2_pp + C2_pp * C2_pp
+            v18 = S2_pm * S2_pm + C2_pm * C2_pm
+            v19 = S2_mp * S2_mp + C2_mp * C2_mp
+            v20 = S2_mm * S2_mm + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v17)
+            factor2_pm = 1.0 / math.sqrt(v18)
+            factor2_mp = 1.0 / math.sqrt(v19)
+            factor2_mm = 1.0 / math.sqrt(v20)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            c23_pp = c3_p * c2_pp - s3_p * s2_pp
+            c23_pm = c3_m * c2_pm + v6 * s2_pm
+            c23_mp = c3_p * c2_mp - s3_p * s2_mp
+            c23_mm = c3_m * c2_mm + v6 * s2_mm
+            s23_pp = c3_p * s2_pp + s3_p * c2_pp
+            s23_pm = c3_m * s2_pm - v6 * c2_pm
+            s23_mp = c3_p * s2_mp + s3_p * c2_mp
+            s23_mm = c3_m * s2_mm - v6 * c2_mm
+            v21 = T23 * s1 - T13 * v2
+            c4_pp = T33 * s23_pp + c23_pp * v21
+            c4_pm = T33 * s23_pm + c23_pm * v21
+            c4_mp = T33 * s23_mp - c23_mp * v21
+            c4_mm = T33 * s23_mm - c23_mm * v21
+            v22 = T23 * v2 + T13 * s1
+            v23 = v22 * v22
+            v24 = v23 + c4_pp * c4_pp
+            v25 = v23 + c4_pm * c4_pm
+            v26 = v23 + c4_mp * c4_mp
+            v27 = v23 + c4_mm * c4_mm
+            v28 = math.copysign(half_turn, -v22) * h1
+            v29 = math.copysign(half_turn, v22) * h1
+            v30 = s1 * T12 + v2 * T22
+            v31 = s1 * T22 - v2 * T12
+            v32 = s1 * T11 + v2 * T21
+            v33 = s1 * T21 - v2 * T11
+            v34 = c4_pp * v32 - v22 * (s23_pp * T31 + c23_pp * v33)
+            v35 = c4_pm * v32 - v22 * (s23_pm * T31 + c23_pm * v33)
+            v36 = v22 * (s23_mp * T31 - c23_mp * v33) - c4_mp * v32
+            v37 = v22 * (s23_mm * T31 - c23_mm * v33) - c4_mm * v32
+            doubt = (
+                v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v18 <= m2 or v25 <= m3 or (v1
+                <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
+                N3 and N3 < longest3_apart) or (v17 <= m2 or v24 <= m3))))
+            )
+            work[992 + k] = wy
+            work[3168 + k] = v3
+            work[3200 + k] = v28
+            work[3232 + k] = v29
+            work[2912 + k] = v34
+            work[3104 + k] = v35
+            work[2464 + k] = v36
+            work[1728 + k] = v37
+            work[3264 + k] = doubt
+            work[3296 + k] = -v22
+            work[3328 + k] = -v22
+            work[3360 + k] = v22
+            work[3392 + k] = v22
+            work[3424 + k] = v34
+            work[3456 + k] = v35
+            work[3488 + k] = v36
+            work[3520 + k] = v37
+            work[3552 + k] = wy
+            work[3584 + k] = S2_pp
+            work[3616 + k] = S2_pm
+            work[3648 + k] = S2_mp
+            work[3680 + k] = S2_mm
+            work[3712 + k] = w3
+            work[3744 + k] = math.sqrt(v24)
+            work[3776 + k] = math.sqrt(v25)
+            work[3808 + k] = math.sqrt(v26)
+            work[3840 + k] = math.sqrt(v27)
+            work[3872 + k] = c4_pp
+            work[3904 + k] = c4_pm
+            work[3936 + k] = c4_mp
+            work[3968 + k] = c4_mm
+            work[4000 + k] = c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31)
+            work[4032 + k] = c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31)
+            work[4064 + k] = v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30
+            work[4096 + k] = v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30
+            work[4128 + k] = -X1
+            work[4160 + k] = C2_pp
+            work[4192 + k] = C2_pm
+            work[4224 + k] = C2_mp
+            work[4256 + k] = C2_mm
+            work[4288 + k] = K3
+            work[4320 + k] = s23_pp * v21 - T33 * c23_pp
+            work[4352 + k] = s23_pm * v21 - T33 * c23_pm
+            work[4384 + k] = -(s23_mp * v21 + T33 * c23_mp)
+            work[4416 + k] = -(s23_mm * v21 + T33 * c23_mm)
+        for k in range(3296, 3872):
+            work[k] = _atan2(work[k], work[k + 576])
+        for k in range(0, 32):
+            wy = work[992 + k]
+            v37 = work[1728 + k]
+            v36 = work[2464 + k]
+            v34 = work[2912 + k]
+            v35 = work[3104 + k]
+            v3 = work[3168 + k]
+            v28 = work[3200 + k]
+            v29 = work[3232 + k]
+            doubt = work[3264 + k] != 0.0
+            angle1 = work[3296 + k]
+            angle1_ = work[3328 + k]
+            angle1__ = work[3360 + k]
+            angle1___ = work[3392 + k]
+            angle1____ = work[3424 + k]
+            angle1_____ = work[3456 + k]
+            angle1______ = work[3488 + k]
+            angle1_______ = work[3520 + k]
+            angle1________ = work[3552 + k]
+            angle1_________ = work[3584 + k]
+            angle1__________ = work[3616 + k]
+            angle1___________ = work[3648 + k]
+            angle1____________ = work[3680 + k]
+            angle1_____________ = work[3712 + k]
+            angle1______________ = work[3744 + k]
+            angle1_______________ = work[3776 + k]
+            angle1________________ = work[3808 + k]
+            angle1_________________ = work[3840 + k]
+            q4_ppm = angle1 - v28
+            q4_pmm = angle1_ - v28
+            q4_mpm = angle1__ - v29
+            q4_mmm = angle1___ - v29
+            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v34)
+            q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v35)
+            q6_mpm = angle1______ - h1 * math.copysign(half_turn, v36)
+            q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v37)
+            v38 = angle1________ - offset1
+            v39 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
+            q1__p = v38 + (m5 if v38 <= -half_turn else 0.0)
+            q1__m = v39 + (m5 if v39 <= -half_turn else 0.0)
+            v40 = angle1_________ - offset2
+            v41 = angle1__________ - offset2
+            v42 = angle1___________ - offset2
+            v43 = angle1____________ - offset2
+            q2_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
+            q2_pmp = v41 + (m5 if v41 <= -half_turn else 0.0)
+            q2_mpp = v42 + (m5 if v42 <= -half_turn else 0.0)
+            q2_mmp = v43 + (m5 if v43 <= -half_turn else 0.0)
+            v44 = angle1_____________ - turn1 - offset3
+            v45 = offset3 + (turn1 + angle1_____________)
+            q3_ppp = v44 - (m5 if half_turn < v44 else 0.0)
+            v46 = angle1______________ - offset5
+            v47 = offset5 + angle1______________
+            v48 = angle1_______________ - offset5
+            v49 = offset5 + angle1_______________
+            v50 = angle1________________ - offset5
+            v51 = offset5 + angle1________________
+            v52 = angle1_________________ - offset5
+            v53 = offset5 + angle1_________________
+            q5_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v47 <= -half_turn else 0.0) - v47
+            q5_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v49 <= -half_turn else 0.0) - v49
+            q5_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v51 <= -half_turn else 0.0) - v51
+            q5_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v53 <= -half_turn else 0.0) - v53
+            v54 = q1__p < low1 or high1 < q1__p
+            v55 = q1__m < low1 or high1 < q1__m
+            v56 = q3_ppp < low3 or high3 < q3_ppp
+            v57 = (
+                -(v45 + (m5 if half_turn < -v45 else 0.0)) < low3 or high3 < -(v45 + (m5 if
+                half_turn < -v45 else 0.0))
+            )
+            q1_ppp = v3 + q1__p
+            q1_mpp = v3 + q1__m
+            v58 = v56 or (v54 or (q2_ppp < low2 or high2 < q2_ppp))
+            v59 = v57 or (v54 or (q2_pmp < low2 or high2 < q2_pmp))
+            v60 = v56 or (v55 or (q2_mpp < low2 or high2 < q2_mpp))
+            v61 = v57 or (v55 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v58 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v58 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v59 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v59 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v60 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v60 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v61 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v61 or (q5_mmm < low5 or high5 < q5_mmm)
+            _6272 = q1_ppp
+            work[6272 + k] = _6272
+            _6304 = q2_ppp
+            work[6304 + k] = _6304
+            _6336 = q3_ppp
+            work[6336 + k] = _6336
+            _6368 = angle1
+            work[6368 + k] = _6368
+            _6400 = q5_ppp
+            work[6400 + k] = _6400
+            _6432 = angle1____
+            work[6432 + k] = _6432
+            _6464 = q4_ppm
+            work[6464 + k] = _6464
+            _6496 = q5_ppm
+            work[6496 + k] = _6496
+            _6528 = q6_ppm
+            work[6528 + k] = _6528
+            _6560 = q2_pmp
+            work[6560 + k] = _6560
+            _6592 = -(v45 + (m5 if half_turn < -v45 else 0.0))
+            work[6592 + k] = _6592
+            _6624 = angle1_
+            work[6624 + k] = _6624
+            _6656 = q5_pmp
+            work[6656 + k] = _6656
+            _6688 = angle1_____
+            work[6688 + k] = _6688
+            _6720 = q4_pmm
+            work[6720 + k] = _6720
+            _6752 = q5_pmm
+            work[6752 + k] = _6752
+            _6784 = q6_pmm
+            work[6784 + k] = _6784
+            _6816 = q1_mpp
+            work[6816 + k] = _6816
+            _6848 = q2_mpp
+            work[6848 + k] = _6848
+            _6880 = angle1__
+            work[6880 + k] = _6880
+            _6912 = q5_mpp
+            work[6912 + k] = _6912
+            _6944 = angle1______
+            work[6944 + k] = _6944
+            _6976 = q4_mpm
+            work[6976 + k] = _6976
+            _7008 = q5_mpm
+            work[7008 + k] = _7008
+            _7040 = q6_mpm
+            work[7040 + k] = _7040
+            _7072 = q2_mmp
+            work[7072 + k] = _7072
+            _7104 = angle1___
+            work[7104 + k] = _7104
+            _7136 = q5_mmp
+            work[7136 + k] = _7136
+            _7168 = angle1_______
+            work[7168 + k] = _7168
+            _7200 = q4_mmm
+            work[7200 + k] = _7200
+            _7232 = q5_mmm
+            work[7232 + k] = _7232
+            _7264 = q6_mmm
+            work[7264 + k] = _7264
+            work[7296 + k] = (
+                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[7328 + k] = (
+                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[7360 + k] = (
+                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[7392 + k] = (
+                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[7424 + k] = (
+                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[7456 + k] = (
+                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[7488 + k] = (
+                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[7520 + k] = (
+                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -621,14 +1278,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

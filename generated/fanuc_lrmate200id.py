@@ -23,7 +23,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "fanuc_lrmate200id"
 METHOD = "closed form"
@@ -77,6 +78,22 @@ k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
 k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
 k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = -1.4666963886852973  # a constant angle [rad]
+low1 = -2.9670597293903604  # lowest value of joint 1
+high1 = 2.9670597293903604  # highest value of joint 1
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -1.7453292529943296  # lowest value of joint 2
+high2 = 2.530727416391778  # highest value of joint 2
+low3 = -1.2217304773960307  # lowest value of joint 3
+high3 = 3.5779249675883755  # highest value of joint 3
+low5 = -2.181661565992912  # lowest value of joint 5
+high5 = 2.181661565992912  # highest value of joint 5
+m1 = 1.3456000000000002e-24  # free_limit1^2 [m^2]
+m3 = 1.8106393600000007e-48  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -93,7 +110,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -123,7 +140,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -188,6 +205,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -470,15 +490,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -492,6 +509,275 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    t14 = T14 - d6 * T11
+    Y1 = d6 * T21 - T24
+    v1 = t14 * t14 + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = t14 * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -t14)
+    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d6 * T31 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    K3_p = N3_p - k3
+    K3_m = N3_m - k3
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * K3_p
+    v7 = k1 * K3_m
+    v8 = k2 * w3_p
+    v9 = k2 * w3_m
+    s3_pp = k4 * (v6 + v8)
+    s3_pm = k4 * (v6 - v8)
+    s3_mp = k4 * (v7 + v9)
+    s3_mm = k4 * (v7 - v9)
+    v10 = k2 * K3_p
+    v11 = k2 * K3_m
+    v12 = k1 * w3_p
+    v13 = k1 * w3_m
+    c3_pp = k4 * (v10 - v12)
+    c3_pm = k4 * (v10 + v12)
+    c3_mp = k4 * (v11 - v13)
+    c3_mm = k4 * (v11 + v13)
+    angle1_ = _atan2(w3_p, K3_p)
+    angle1__ = _atan2(w3_m, K3_m)
+    q3__pp = angle1_ - turn1
+    v14 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v15 = turn1 + angle1__
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    X1_2_pp = a3 * s3_pp - d4 * c3_pp
+    X1_2_pm = a3 * s3_pm - d4 * c3_pm
+    X1_2_mp = a3 * s3_mp - d4 * c3_mp
+    X1_2_mm = a3 * s3_mm - d4 * c3_mm
+    Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+    Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+    Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+    Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+    v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
+    v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
+    v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
+    v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
+    C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
+    C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
+    C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
+    C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
+    v20 = v16 * v16 + C2_pp * C2_pp
+    v21 = v17 * v17 + C2_pm * C2_pm
+    v22 = v18 * v18 + C2_mp * C2_mp
+    v23 = v19 * v19 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v20)
+    factor2_pm = 1.0 / math.sqrt(v21)
+    factor2_mp = 1.0 / math.sqrt(v22)
+    factor2_mm = 1.0 / math.sqrt(v23)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    v24 = v16 * factor2_pp
+    v25 = v17 * factor2_pm
+    v26 = v18 * factor2_mp
+    v27 = v19 * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c2m3_pp = c3_pp * c2_pp - s3_pp * v24
+    c2m3_pm = c3_pm * c2_pm - s3_pm * v25
+    c2m3_mp = c3_mp * c2_mp - s3_mp * v26
+    c2m3_mm = c3_mm * c2_mm - s3_mm * v27
+    v28 = c3_pp * v24 + s3_pp * c2_pp
+    v29 = c3_pm * v25 + s3_pm * c2_pm
+    v30 = c3_mp * v26 + s3_mp * c2_mp
+    v31 = c3_mm * v27 + s3_mm * c2_mm
+    v32 = T21 * s1 - T11 * v2
+    X4_pp = T31 * v28 + c2m3_pp * v32
+    X4_pm = T31 * v29 + c2m3_pm * v32
+    X4_mp = T31 * v30 - c2m3_mp * v32
+    X4_mm = T31 * v31 - c2m3_mm * v32
+    Y4 = T11 * s1 + T21 * v2
+    v33 = Y4 * Y4
+    v34 = v33 + X4_pp * X4_pp
+    v35 = v33 + X4_pm * X4_pm
+    v36 = v33 + X4_mp * X4_mp
+    v37 = v33 + X4_mm * X4_mm
+    angle1___ = _atan2(Y4, -X4_pp)
+    angle1____ = _atan2(Y4, -X4_pm)
+    angle1_____ = _atan2(-Y4, -X4_mp)
+    angle1______ = _atan2(-Y4, -X4_mm)
+    v38 = h1 * math.copysign(half_turn, Y4)
+    v39 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1___ - v38
+    q4_pmm = angle1____ - v38
+    q4_mpm = angle1_____ - v39
+    q4_mmm = angle1______ - v39
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v40 = v2 * T22 + s1 * T12
+    v41 = s1 * T22 - v2 * T12
+    v42 = v2 * T23 + s1 * T13
+    v43 = s1 * T23 - v2 * T13
+    v44 = X4_pp * v42 - Y4 * (v28 * T33 + c2m3_pp * v43)
+    v45 = X4_pm * v42 - Y4 * (v29 * T33 + c2m3_pm * v43)
+    v46 = Y4 * (v30 * T33 - c2m3_mp * v43) - X4_mp * v42
+    v47 = Y4 * (v31 * T33 - c2m3_mm * v43) - X4_mm * v42
+    angle1_______ = _atan2(v44, X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41))
+    angle1________ = _atan2(v45, X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41))
+    angle1_________ = _atan2(v46, Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40)
+    angle1__________ = _atan2(v47, Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40)
+    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v44)
+    q6_pmm = angle1________ - h1 * math.copysign(half_turn, v45)
+    q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v46)
+    q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v47)
+
+    # joint values
+    angle1___________ = _atan2(-v16, C2_pp)
+    v48 = angle1___________ - offset2
+    angle1____________ = _atan2(-v17, C2_pm)
+    v49 = angle1____________ - offset2
+    angle1_____________ = _atan2(-v18, C2_mp)
+    v50 = angle1_____________ - offset2
+    angle1______________ = _atan2(-v19, C2_mm)
+    v51 = angle1______________ - offset2
+    q2_ppp = v48 - (m5 if half_turn < v48 else 0.0)
+    q2_pmp = v49 - (m5 if half_turn < v49 else 0.0)
+    q2_mpp = v50 - (m5 if half_turn < v50 else 0.0)
+    q2_mmp = v51 - (m5 if half_turn < v51 else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v34), T31 * c2m3_pp - v28 * v32)
+    angle1________________ = _atan2(math.sqrt(v35), T31 * c2m3_pm - v29 * v32)
+    angle1_________________ = _atan2(math.sqrt(v36), T31 * c2m3_mp + v30 * v32)
+    angle1__________________ = _atan2(math.sqrt(v37), T31 * c2m3_mm + v31 * v32)
+    v52 = angle1_______________ - offset5
+    v53 = offset5 + angle1_______________
+    v54 = angle1________________ - offset5
+    v55 = offset5 + angle1________________
+    v56 = angle1_________________ - offset5
+    v57 = offset5 + angle1_________________
+    v58 = angle1__________________ - offset5
+    v59 = offset5 + angle1__________________
+    q5_ppp = v52 + (m5 if v52 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v53 <= -half_turn else 0.0) - v53
+    q5_pmp = v54 + (m5 if v54 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v55 <= -half_turn else 0.0) - v55
+    q5_mpp = v56 + (m5 if v56 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v57 <= -half_turn else 0.0) - v57
+    q5_mmp = v58 + (m5 if v58 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v59 <= -half_turn else 0.0) - v59
+    v60 = q3__pp - (m5 if half_turn < q3__pp else 0.0)
+    v61 = v14 + (m5 if half_turn < -v14 else 0.0)
+    v62 = q3__mp - (m5 if half_turn < q3__mp else 0.0)
+    v63 = v15 + (m5 if half_turn < -v15 else 0.0)
+    v64 = angle1 < low1 or high1 < angle1
+    v65 = q1__m < low1 or high1 < q1__m
+    v66 = v60 + (whole_turn if v60 < low3 else 0.0)
+    v67 = (whole_turn if -v61 < low3 else 0.0) - v61
+    v68 = v62 + (whole_turn if v62 < low3 else 0.0)
+    v69 = (whole_turn if -v63 < low3 else 0.0) - v63
+    v70 = v66 < low3 or high3 < v66
+    v71 = v67 < low3 or high3 < v67
+    v72 = v68 < low3 or high3 < v68
+    v73 = v69 < low3 or high3 < v69
+    q3_ppp = v60 if v70 else v66
+    q3_pmp = -v61 if v71 else v67
+    q3_mpp = v62 if v72 else v68
+    q3_mmp = -v63 if v73 else v69
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = q1__m + (w3_m - w3_m)
+    v74 = v70 or (v64 or (q2_ppp < low2 or high2 < q2_ppp))
+    v75 = v71 or (v64 or (q2_pmp < low2 or high2 < q2_pmp))
+    v76 = v72 or (v65 or (q2_mpp < low2 or high2 < q2_mpp))
+    v77 = v73 or (v65 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v74 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v74 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v75 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v75 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v76 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v76 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v77 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v77 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt = (
+        v23 <= m3 or v37 <= m4 or (v22 <= m3 or v36 <= m4 or (v21 <= m3 or v35 <= m4 or (v20 <= m3
+        or v34 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1___
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1_______
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1____
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1_____
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1_________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = angle1______
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1__________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -515,13 +801,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -538,10 +834,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -601,10 +895,423 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [7008, 7040, 7072, 7104, 7136, 7168],
+    [7008, 7040, 7072, 7200, 7232, 7264],
+    [7008, 7296, 7328, 7360, 7392, 7424],
+    [7008, 7296, 7328, 7456, 7488, 7520],
+    [7552, 7584, 7616, 7648, 7680, 7712],
+    [7552, 7584, 7616, 7744, 7776, 7808],
+    [7552, 7840, 7872, 7904, 7936, 7968],
+    [7552, 7840, 7872, 8000, 8032, 8064],
+])
+_KINDS = np.array([8096, 8128, 8160, 8192, 8224, 8256, 8288, 8320])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(8352)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t14 = T14 - d6 * T11
+            Y1 = d6 * T21 - T24
+            v1 = t14 * t14 + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = t14 * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T31 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            K3_p = N3_p - k3
+            K3_m = N3_m - k3
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * K3_p
+            v7 = k1 * K3_m
+            v8 = k2 * w3_p
+            v9 = k2 * w3_m
+            s3_pp = k4 * (v6 + v8)
+            s3_pm = k4 * (v6 - v8)
+            s3_mp = k4 * (v7 + v9)
+            s3_mm = k4 * (v7 - v9)
+            v10 = k2 * K3_p
+            v11 = k2 * K3_m
+            v12 = k1 * w3_p
+            v13 = k1 * w3_m
+            c3_pp = k4 * (v10 - v12)
+            c3_pm = k4 * (v10 + v12)
+            c3_mp = k4 * (v11 - v13)
+            c3_mm = k4 * (v11 + v13)
+            X1_2_pp = a3 * s3_pp - d4 * c3_pp
+            X1_2_pm = a3 * s3_pm - d4 * c3_pm
+            X1_2_mp = a3 * s3_mp - d4 * c3_mp
+            X1_2_mm = a3 * s3_mm - d4 * c3_mm
+            Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+            Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+            Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+            Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+            v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
+            v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
+            v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
+            v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
+            C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
+            C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
+            C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
+            C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
+            v20 = v16 * v16 + C2_pp * C2_pp
+            v21 = v17 * v17 + C2_pm * C2_pm
+            v22 = v18 * v18 + C2_mp * C2_mp
+            v23 = v19 * v19 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v20)
+            factor2_pm = 1.0 / math.sqrt(v21)
+            factor2_mp = 1.0 / math.sqrt(v22)
+            factor2_mm = 1.0 / math.sqrt(v23)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            v24 = v16 * factor2_pp
+            v25 = v17 * factor2_pm
+            v26 = v18 * factor2_mp
+            v27 = v19 * factor2_mm
+            c2m3_pp = c3_pp * c2_pp - s3_pp * v24
+            c2m3_pm = c3_pm * c2_pm - s3_pm * v25
+            c2m3_mp = c3_mp * c2_mp - s3_mp * v26
+            c2m3_mm = c3_mm * c2_mm - s3_mm * v27
+            v28 = c3_pp * v24 + s3_pp * c2_pp
+            v29 = c3_pm * v25 + s3_pm * c2_pm
+            v30 = c3_mp * v26 + s3_mp * c2_mp
+            v31 = c3_mm * v27 + s3_mm * c2_mm
+            v32 = T21 * s1 - T11 * v2
+            X4_pp = T31 * v28 + c2m3_pp * v32
+            X4_pm = T31 * v29 + c2m3_pm * v32
+            X4_mp = T31 * v30 - c2m3_mp * v32
+            X4_mm = T31 * v31 - c2m3_mm * v32
+            Y4 = T11 * s1 + T21 * v2
+            v33 = Y4 * Y4
+            v34 = v33 + X4_pp * X4_pp
+            v35 = v33 + X4_pm * X4_pm
+            v36 = v33 + X4_mp * X4_mp
+            v37 = v33 + X4_mm * X4_mm
+            v38 = h1 * math.copysign(half_turn, Y4)
+            v39 = h1 * math.copysign(half_turn, -Y4)
+            v40 = v2 * T22 + s1 * T12
+            v41 = s1 * T22 - v2 * T12
+            v42 = v2 * T23 + s1 * T13
+            v43 = s1 * T23 - v2 * T13
+            v44 = X4_pp * v42 - Y4 * (v28 * T33 + c2m3_pp * v43)
+            v45 = X4_pm * v42 - Y4 * (v29 * T33 + c2m3_pm * v43)
+            v46 = Y4 * (v30 * T33 - c2m3_mp * v43) - X4_mp * v42
+            v47 = Y4 * (v31 * T33 - c2m3_mm * v43) - X4_mm * v42
+            doubt = (
+                v23 <= m3 or v37 <= m4 or (v22 <= m3 or v36 <= m4 or (v21 <= m3 or v35 <= m4 or (v20
+                <= m3 or v34 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[3040 + k] = Y1
+            work[1024 + k] = w3_p
+            work[2752 + k] = w3_m
+            work[3488 + k] = v38
+            work[3520 + k] = v39
+            work[1344 + k] = v44
+            work[2912 + k] = v45
+            work[2560 + k] = v46
+            work[2848 + k] = v47
+            work[3552 + k] = doubt
+            work[3584 + k] = Y1
+            work[3616 + k] = w3_p
+            work[3648 + k] = w3_m
+            work[3680 + k] = Y4
+            work[3712 + k] = Y4
+            work[3744 + k] = -Y4
+            work[3776 + k] = -Y4
+            work[3808 + k] = v44
+            work[3840 + k] = v45
+            work[3872 + k] = v46
+            work[3904 + k] = v47
+            work[3936 + k] = -v16
+            work[3968 + k] = -v17
+            work[4000 + k] = -v18
+            work[4032 + k] = -v19
+            work[4064 + k] = math.sqrt(v34)
+            work[4096 + k] = math.sqrt(v35)
+            work[4128 + k] = math.sqrt(v36)
+            work[4160 + k] = math.sqrt(v37)
+            work[4192 + k] = -t14
+            work[4224 + k] = K3_p
+            work[4256 + k] = K3_m
+            work[4288 + k] = -X4_pp
+            work[4320 + k] = -X4_pm
+            work[4352 + k] = -X4_mp
+            work[4384 + k] = -X4_mm
+            work[4416 + k] = X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41)
+            work[4448 + k] = X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41)
+            work[4480 + k] = Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40
+            work[4512 + k] = Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40
+            work[4544 + k] = C2_pp
+            work[4576 + k] = C2_pm
+            work[4608 + k] = C2_mp
+            work[4640 + k] = C2_mm
+            work[4672 + k] = T31 * c2m3_pp - v28 * v32
+            work[4704 + k] = T31 * c2m3_pm - v29 * v32
+            work[4736 + k] = T31 * c2m3_mp + v30 * v32
+            work[4768 + k] = T31 * c2m3_mm + v31 * v32
+        for k in range(3584, 4192):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            w3_p = work[1024 + k]
+            v44 = work[1344 + k]
+            v46 = work[2560 + k]
+            w3_m = work[2752 + k]
+            v47 = work[2848 + k]
+            v45 = work[2912 + k]
+            Y1 = work[3040 + k]
+            v38 = work[3488 + k]
+            v39 = work[3520 + k]
+            doubt = work[3552 + k] != 0.0
+            angle1 = work[3584 + k]
+            angle1_ = work[3616 + k]
+            angle1__ = work[3648 + k]
+            angle1___ = work[3680 + k]
+            angle1____ = work[3712 + k]
+            angle1_____ = work[3744 + k]
+            angle1______ = work[3776 + k]
+            angle1_______ = work[3808 + k]
+            angle1________ = work[3840 + k]
+            angle1_________ = work[3872 + k]
+            angle1__________ = work[3904 + k]
+            angle1___________ = work[3936 + k]
+            angle1____________ = work[3968 + k]
+            angle1_____________ = work[4000 + k]
+            angle1______________ = work[4032 + k]
+            angle1_______________ = work[4064 + k]
+            angle1________________ = work[4096 + k]
+            angle1_________________ = work[4128 + k]
+            angle1__________________ = work[4160 + k]
+            q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+            q3__pp = angle1_ - turn1
+            v14 = turn1 + angle1_
+            q3__mp = angle1__ - turn1
+            v15 = turn1 + angle1__
+            q4_ppm = angle1___ - v38
+            q4_pmm = angle1____ - v38
+            q4_mpm = angle1_____ - v39
+            q4_mmm = angle1______ - v39
+            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v44)
+            q6_pmm = angle1________ - h1 * math.copysign(half_turn, v45)
+            q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v46)
+            q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v47)
+            v48 = angle1___________ - offset2
+            v49 = angle1____________ - offset2
+            v50 = angle1_____________ - offset2
+            v51 = angle1______________ - offset2
+            q2_ppp = v48 - (m5 if half_turn < v48 else 0.0)
+            q2_pmp = v49 - (m5 if half_turn < v49 else 0.0)
+            q2_mpp = v50 - (m5 if half_turn < v50 else 0.0)
+            q2_mmp = v51 - (m5 if half_turn < v51 else 0.0)
+            v52 = angle1_______________ - offset5
+            v53 = offset5 + angle1_______________
+            v54 = angle1________________ - offset5
+            v55 = offset5 + angle1________________
+            v56 = angle1_________________ - offset5
+            v57 = offset5 + angle1_________________
+            v58 = angle1__________________ - offset5
+            v59 = offset5 + angle1__________________
+            q5_ppp = v52 + (m5 if v52 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v53 <= -half_turn else 0.0) - v53
+            q5_pmp = v54 + (m5 if v54 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v55 <= -half_turn else 0.0) - v55
+            q5_mpp = v56 + (m5 if v56 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v57 <= -half_turn else 0.0) - v57
+            q5_mmp = v58 + (m5 if v58 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v59 <= -half_turn else 0.0) - v59
+            v60 = q3__pp - (m5 if half_turn < q3__pp else 0.0)
+            v61 = v14 + (m5 if half_turn < -v14 else 0.0)
+            v62 = q3__mp - (m5 if half_turn < q3__mp else 0.0)
+            v63 = v15 + (m5 if half_turn < -v15 else 0.0)
+            v64 = angle1 < low1 or high1 < angle1
+            v65 = q1__m < low1 or high1 < q1__m
+            v66 = v60 + (whole_turn if v60 < low3 else 0.0)
+            v67 = (whole_turn if -v61 < low3 else 0.0) - v61
+            v68 = v62 + (whole_turn if v62 < low3 else 0.0)
+            v69 = (whole_turn if -v63 < low3 else 0.0) - v63
+            v70 = v66 < low3 or high3 < v66
+            v71 = v67 < low3 or high3 < v67
+            v72 = v68 < low3 or high3 < v68
+            v73 = v69 < low3 or high3 < v69
+            q3_ppp = v60 if v70 else v66
+            q3_pmp = -v61 if v71 else v67
+            q3_mpp = v62 if v72 else v68
+            q3_mmp = -v63 if v73 else v69
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = q1__m + (w3_m - w3_m)
+            v74 = v70 or (v64 or (q2_ppp < low2 or high2 < q2_ppp))
+            v75 = v71 or (v64 or (q2_pmp < low2 or high2 < q2_pmp))
+            v76 = v72 or (v65 or (q2_mpp < low2 or high2 < q2_mpp))
+            v77 = v73 or (v65 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v74 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v74 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v75 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v75 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v76 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v76 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v77 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v77 or (q5_mmm < low5 or high5 < q5_mmm)
+            _7008 = q1_ppp
+            work[7008 + k] = _7008
+            _7040 = q2_ppp
+            work[7040 + k] = _7040
+            _7072 = q3_ppp
+            work[7072 + k] = _7072
+            _7104 = angle1___
+            work[7104 + k] = _7104
+            _7136 = q5_ppp
+            work[7136 + k] = _7136
+            _7168 = angle1_______
+            work[7168 + k] = _7168
+            _7200 = q4_ppm
+            work[7200 + k] = _7200
+            _7232 = q5_ppm
+            work[7232 + k] = _7232
+            _7264 = q6_ppm
+            work[7264 + k] = _7264
+            _7296 = q2_pmp
+            work[7296 + k] = _7296
+            _7328 = q3_pmp
+            work[7328 + k] = _7328
+            _7360 = angle1____
+            work[7360 + k] = _7360
+            _7392 = q5_pmp
+            work[7392 + k] = _7392
+            _7424 = angle1________
+            work[7424 + k] = _7424
+            _7456 = q4_pmm
+            work[7456 + k] = _7456
+            _7488 = q5_pmm
+            work[7488 + k] = _7488
+            _7520 = q6_pmm
+            work[7520 + k] = _7520
+            _7552 = q1_mpp
+            work[7552 + k] = _7552
+            _7584 = q2_mpp
+            work[7584 + k] = _7584
+            _7616 = q3_mpp
+            work[7616 + k] = _7616
+            _7648 = angle1_____
+            work[7648 + k] = _7648
+            _7680 = q5_mpp
+            work[7680 + k] = _7680
+            _7712 = angle1_________
+            work[7712 + k] = _7712
+            _7744 = q4_mpm
+            work[7744 + k] = _7744
+            _7776 = q5_mpm
+            work[7776 + k] = _7776
+            _7808 = q6_mpm
+            work[7808 + k] = _7808
+            _7840 = q2_mmp
+            work[7840 + k] = _7840
+            _7872 = q3_mmp
+            work[7872 + k] = _7872
+            _7904 = angle1______
+            work[7904 + k] = _7904
+            _7936 = q5_mmp
+            work[7936 + k] = _7936
+            _7968 = angle1__________
+            work[7968 + k] = _7968
+            _8000 = q4_mmm
+            work[8000 + k] = _8000
+            _8032 = q5_mmm
+            work[8032 + k] = _8032
+            _8064 = q6_mmm
+            work[8064 + k] = _8064
+            work[8096 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[8128 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[8160 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[8192 + k] = (
+                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[8224 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[8256 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[8288 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[8320 + k] = (
+                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -615,14 +1322,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "gantry_wrist"
 METHOD = "closed form"
@@ -52,6 +53,9 @@ INVALID_POSE = 4  # NaN: T is no pose
 d4 = 0.1  # joint offset 4 [m]
 d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-24  # free_limit^2
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -69,7 +73,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -132,6 +136,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -279,15 +286,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -301,6 +305,56 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r2, type 1: U0 A6^-1 [2, 4]
+    q2_p = T24 - d6 * T23
+
+    # r1, type 1: U0 A6^-1 [3, 4]
+    q1_p = T34 - d6 * T33
+
+    # r3, type 1: U0 A6^-1 [1, 4]
+    q3_p = T14 - d6 * T13 - d4
+
+    # theta4, type 2: U4[3, 3]
+    v1 = T33 * T33 + T23 * T23
+    doubt = v1 <= m1
+    angle1 = _atan2(T23, -T33)
+    q4_m = angle1 - math.copysign(half_turn, T23) * h1
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1_ = _atan2(-math.sqrt(v1), T13)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v2 = T33 * T21 - T23 * T31
+    angle1__ = _atan2(v2, T33 * T22 - T23 * T32)
+    q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = angle1
+    q[0, 4] = angle1_
+    q[0, 5] = angle1__
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_p
+    q[1, 1] = q2_p
+    q[1, 2] = q3_p
+    q[1, 3] = q4_m
+    q[1, 4] = -angle1_
+    q[1, 5] = q6_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -324,13 +378,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 6) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 6) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -347,10 +411,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 6)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -412,10 +474,124 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [992, 1024, 1056, 1088, 1120, 1152],
+    [992, 1024, 1056, 1184, 1216, 1248],
+])
+_KINDS = np.array([1280, 1312])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1344)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            q2_p = T24 - d6 * T23
+            q1_p = T34 - d6 * T33
+            q3_p = T14 - d6 * T13 - d4
+            v1 = T33 * T33 + T23 * T23
+            doubt = v1 <= m1
+            v2 = T33 * T21 - T23 * T31
+            work[608 + k] = q2_p
+            work[640 + k] = q1_p
+            work[672 + k] = q3_p
+            work[704 + k] = doubt
+            work[576 + k] = v2
+            work[736 + k] = T23
+            work[768 + k] = -math.sqrt(v1)
+            work[800 + k] = v2
+            work[832 + k] = -T33
+            work[864 + k] = T13
+            work[896 + k] = T33 * T22 - T23 * T32
+        for k in range(736, 832):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 32):
+            T23 = work[192 + k]
+            v2 = work[576 + k]
+            q2_p = work[608 + k]
+            q1_p = work[640 + k]
+            q3_p = work[672 + k]
+            doubt = work[704 + k] != 0.0
+            angle1 = work[736 + k]
+            angle1_ = work[768 + k]
+            angle1__ = work[800 + k]
+            q4_m = angle1 - math.copysign(half_turn, T23) * h1
+            q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
+            work[1024 + k] = _1024
+            _1056 = q3_p
+            work[1056 + k] = _1056
+            _1088 = angle1
+            work[1088 + k] = _1088
+            _1120 = angle1_
+            work[1120 + k] = _1120
+            _1152 = angle1__
+            work[1152 + k] = _1152
+            _1184 = q4_m
+            work[1184 + k] = _1184
+            _1216 = -angle1_
+            work[1216 + k] = _1216
+            _1248 = q6_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1312 + k] = UNREACHABLE if _992 != _992 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -426,14 +602,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 6)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

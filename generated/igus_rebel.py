@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "igus_rebel"
 METHOD = "closed form"
@@ -76,6 +77,13 @@ k1 = 0.081056  # 2 * d4 * a2 [m^2]
 k2 = 0.0567392  # 2 * a3 * a2 [m^2]
 k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = 0.960070362405688  # a constant angle [rad]
+m1 = 8.049678400000001e-25  # free_limit1^2 [m^2]
+m3 = 6.479732234342659e-49  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -92,7 +100,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -122,7 +130,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -190,6 +198,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -471,15 +482,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -493,6 +501,246 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    v1 = wx * wx + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = wx * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -wx)
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    K3_p = N3_p - k3
+    K3_m = N3_m - k3
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * K3_p
+    v7 = k1 * K3_m
+    v8 = k2 * w3_p
+    v9 = k2 * w3_m
+    s3_pp = k4 * (v8 - v6)
+    v10 = k4 * (v6 + v8)
+    s3_mp = k4 * (v9 - v7)
+    v11 = k4 * (v7 + v9)
+    v12 = k2 * K3_p
+    v13 = k2 * K3_m
+    v14 = k1 * w3_p
+    v15 = k1 * w3_m
+    c3_pp = k4 * (v12 + v14)
+    c3_pm = k4 * (v12 - v14)
+    c3_mp = k4 * (v13 + v15)
+    c3_mm = k4 * (v13 - v15)
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    v16 = d4 * c3_pp + a3 * s3_pp
+    v17 = d4 * c3_pm - a3 * v10
+    v18 = d4 * c3_mp + a3 * s3_mp
+    v19 = d4 * c3_mm - a3 * v11
+    Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+    Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+    Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+    Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+    S2_pp = v3 * v16 - Z1_3 * Y1_2_pp
+    S2_pm = v3 * v17 - Z1_3 * Y1_2_pm
+    S2_mp = v4 * v18 - Z1_3 * Y1_2_mp
+    S2_mm = v4 * v19 - Z1_3 * Y1_2_mm
+    v20 = Z1_3 * v16 + v3 * Y1_2_pp
+    v21 = Z1_3 * v17 + v3 * Y1_2_pm
+    v22 = Z1_3 * v18 + v4 * Y1_2_mp
+    v23 = Z1_3 * v19 + v4 * Y1_2_mm
+    v24 = S2_pp * S2_pp + v20 * v20
+    v25 = S2_pm * S2_pm + v21 * v21
+    v26 = S2_mp * S2_mp + v22 * v22
+    v27 = S2_mm * S2_mm + v23 * v23
+    factor2_pp = 1.0 / math.sqrt(v24)
+    factor2_pm = 1.0 / math.sqrt(v25)
+    factor2_mp = 1.0 / math.sqrt(v26)
+    factor2_mm = 1.0 / math.sqrt(v27)
+    v28 = v20 * factor2_pp
+    v29 = v21 * factor2_pm
+    v30 = v22 * factor2_mp
+    v31 = v23 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    v32 = c3_pp * v28 + s3_pp * s2_pp
+    v33 = c3_pm * v29 - v10 * s2_pm
+    v34 = c3_mp * v30 + s3_mp * s2_mp
+    v35 = c3_mm * v31 - v11 * s2_mm
+    s23_pp = c3_pp * s2_pp - s3_pp * v28
+    s23_pm = c3_pm * s2_pm + v10 * v29
+    s23_mp = c3_mp * s2_mp - s3_mp * v30
+    s23_mm = c3_mm * s2_mm + v11 * v31
+    v36 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s23_pp + v32 * v36
+    X4_pm = T33 * s23_pm + v33 * v36
+    X4_mp = T33 * s23_mp - v34 * v36
+    X4_mm = T33 * s23_mm - v35 * v36
+    Y4 = T13 * s1 + T23 * v2
+    v37 = Y4 * Y4
+    v38 = v37 + X4_pp * X4_pp
+    v39 = v37 + X4_pm * X4_pm
+    v40 = v37 + X4_mp * X4_mp
+    v41 = v37 + X4_mm * X4_mm
+    angle1_ = _atan2(Y4, -X4_pp)
+    angle1__ = _atan2(Y4, -X4_pm)
+    angle1___ = _atan2(-Y4, -X4_mp)
+    angle1____ = _atan2(-Y4, -X4_mm)
+    v42 = math.copysign(half_turn, Y4) * h1
+    v43 = math.copysign(half_turn, -Y4) * h1
+    q4_ppm = angle1_ - v42
+    q4_pmm = angle1__ - v42
+    q4_mpm = angle1___ - v43
+    q4_mmm = angle1____ - v43
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v44 = v2 * T22 + s1 * T12
+    v45 = s1 * T22 - v2 * T12
+    v46 = v2 * T21 + s1 * T11
+    v47 = s1 * T21 - v2 * T11
+    v48 = X4_pp * v46 - Y4 * (s23_pp * T31 + v32 * v47)
+    v49 = X4_pm * v46 - Y4 * (s23_pm * T31 + v33 * v47)
+    v50 = Y4 * (s23_mp * T31 - v34 * v47) - X4_mp * v46
+    v51 = Y4 * (s23_mm * T31 - v35 * v47) - X4_mm * v46
+    angle1_____ = _atan2(v48, X4_pp * v44 - Y4 * (s23_pp * T32 + v32 * v45))
+    angle1______ = _atan2(v49, X4_pm * v44 - Y4 * (s23_pm * T32 + v33 * v45))
+    angle1_______ = _atan2(v50, Y4 * (s23_mp * T32 - v34 * v45) - X4_mp * v44)
+    angle1________ = _atan2(v51, Y4 * (s23_mm * T32 - v35 * v45) - X4_mm * v44)
+    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v48)
+    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v49)
+    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v50)
+    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v51)
+
+    # joint values
+    angle1_________ = _atan2(S2_pp, -v20)
+    v52 = angle1_________ - offset2
+    angle1__________ = _atan2(S2_pm, -v21)
+    v53 = angle1__________ - offset2
+    angle1___________ = _atan2(S2_mp, -v22)
+    v54 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_mm, -v23)
+    v55 = angle1____________ - offset2
+    q2_ppp = v52 - (m5 if half_turn < v52 else 0.0)
+    q2_pmp = v53 - (m5 if half_turn < v53 else 0.0)
+    q2_mpp = v54 - (m5 if half_turn < v54 else 0.0)
+    q2_mmp = v55 - (m5 if half_turn < v55 else 0.0)
+    angle1_____________ = _atan2(w3_p, K3_p)
+    angle1______________ = _atan2(w3_m, K3_m)
+    v56 = angle1_____________ - turn1 - offset3
+    v57 = offset3 + (turn1 + angle1_____________)
+    v58 = angle1______________ - turn1 - offset3
+    v59 = offset3 + (turn1 + angle1______________)
+    q3_ppp = v56 - (m5 if half_turn < v56 else 0.0)
+    q3_mpp = v58 - (m5 if half_turn < v58 else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v38), s23_pp * v36 - T33 * v32)
+    angle1________________ = _atan2(math.sqrt(v39), s23_pm * v36 - T33 * v33)
+    angle1_________________ = _atan2(math.sqrt(v40), -(s23_mp * v36 + T33 * v34))
+    angle1__________________ = _atan2(math.sqrt(v41), -(s23_mm * v36 + T33 * v35))
+    v60 = angle1_______________ - offset5
+    v61 = offset5 + angle1_______________
+    v62 = angle1________________ - offset5
+    v63 = offset5 + angle1________________
+    v64 = angle1_________________ - offset5
+    v65 = offset5 + angle1_________________
+    v66 = angle1__________________ - offset5
+    v67 = offset5 + angle1__________________
+    q5_ppp = v60 + (m5 if v60 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v61 <= -half_turn else 0.0) - v61
+    q5_pmp = v62 + (m5 if v62 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v63 <= -half_turn else 0.0) - v63
+    q5_mpp = v64 + (m5 if v64 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v65 <= -half_turn else 0.0) - v65
+    q5_mmp = v66 + (m5 if v66 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v67 <= -half_turn else 0.0) - v67
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    doubt = (
+        v27 <= m3 or v41 <= m4 or (v26 <= m3 or v40 <= m4 or (v25 <= m3 or v39 <= m4 or (v24 <= m3
+        or v38 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1_____
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = -(v57 + (m5 if half_turn < -v57 else 0.0))
+    q[2, 3] = angle1__
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1______
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = -(v57 + (m5 if half_turn < -v57 else 0.0))
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1___
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1_______
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = -(v59 + (m5 if half_turn < -v59 else 0.0))
+    q[6, 3] = angle1____
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = -(v59 + (m5 if half_turn < -v59 else 0.0))
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -516,13 +764,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -539,10 +797,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -602,10 +858,378 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6080, 6112, 6144, 6176, 6208, 6240],
+    [6080, 6112, 6144, 6272, 6304, 6336],
+    [6080, 6368, 6400, 6432, 6464, 6496],
+    [6080, 6368, 6400, 6528, 6560, 6592],
+    [6624, 6656, 6688, 6720, 6752, 6784],
+    [6624, 6656, 6688, 6816, 6848, 6880],
+    [6624, 6912, 6944, 6976, 7008, 7040],
+    [6624, 6912, 6944, 7072, 7104, 7136],
+])
+_KINDS = np.array([7168, 7200, 7232, 7264, 7296, 7328, 7360, 7392])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7424)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            v1 = wx * wx + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = wx * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d6 * T33 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            K3_p = N3_p - k3
+            K3_m = N3_m - k3
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * K3_p
+            v7 = k1 * K3_m
+            v8 = k2 * w3_p
+            v9 = k2 * w3_m
+            s3_pp = k4 * (v8 - v6)
+            v10 = k4 * (v6 + v8)
+            s3_mp = k4 * (v9 - v7)
+            v11 = k4 * (v7 + v9)
+            v12 = k2 * K3_p
+            v13 = k2 * K3_m
+            v14 = k1 * w3_p
+            v15 = k1 * w3_m
+            c3_pp = k4 * (v12 + v14)
+            c3_pm = k4 * (v12 - v14)
+            c3_mp = k4 * (v13 + v15)
+            c3_mm = k4 * (v13 - v15)
+            v16 = d4 * c3_pp + a3 * s3_pp
+            v17 = d4 * c3_pm - a3 * v10
+            v18 = d4 * c3_mp + a3 * s3_mp
+            v19 = d4 * c3_mm - a3 * v11
+            Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
+            Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
+            Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
+            Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
+            S2_pp = v3 * v16 - Z1_3 * Y1_2_pp
+            S2_pm = v3 * v17 - Z1_3 * Y1_2_pm
+            S2_mp = v4 * v18 - Z1_3 * Y1_2_mp
+            S2_mm = v4 * v19 - Z1_3 * Y1_2_mm
+            v20 = Z1_3 * v16 + v3 * Y1_2_pp
+            v21 = Z1_3 * v17 + v3 * Y1_2_pm
+            v22 = Z1_3 * v18 + v4 * Y1_2_mp
+            v23 = Z1_3 * v19 + v4 * Y1_2_mm
+            v24 = S2_pp * S2_pp + v20 * v20
+            v25 = S2_pm * S2_pm + v21 * v21
+            v26 = S2_mp * S2_mp + v22 * v22
+            v27 = S2_mm * S2_mm + v23 * v23
+            factor2_pp = 1.0 / math.sqrt(v24)
+            factor2_pm = 1.0 / math.sqrt(v25)
+            factor2_mp = 1.0 / math.sqrt(v26)
+            factor2_mm = 1.0 / math.sqrt(v27)
+            v28 = v20 * factor2_pp
+            v29 = v21 * factor2_pm
+            v30 = v22 * factor2_mp
+            v31 = v23 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            v32 = c3_pp * v28 + s3_pp * s2_pp
+            v33 = c3_pm * v29 - v10 * s2_pm
+            v34 = c3_mp * v30 + s3_mp * s2_mp
+            v35 = c3_mm * v31 - v11 * s2_mm
+            s23_pp = c3_pp * s2_pp - s3_pp * v28
+            s23_pm = c3_pm * s2_pm + v10 * v29
+            s23_mp = c3_mp * s2_mp - s3_mp * v30
+            s23_mm = c3_mm * s2_mm + v11 * v31
+            v36 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s23_pp + v32 * v36
+            X4_pm = T33 * s23_pm + v33 * v36
+            X4_mp = T33 * s23_mp - v34 * v36
+            X4_mm = T33 * s23_mm - v35 * v36
+            Y4 = T13 * s1 + T23 * v2
+            v37 = Y4 * Y4
+            v38 = v37 + X4_pp * X4_pp
+            v39 = v37 + X4_pm * X4_pm
+            v40 = v37 + X4_mp * X4_mp
+            v41 = v37 + X4_mm * X4_mm
+            v42 = math.copysign(half_turn, Y4) * h1
+            v43 = math.copysign(half_turn, -Y4) * h1
+            v44 = v2 * T22 + s1 * T12
+            v45 = s1 * T22 - v2 * T12
+            v46 = v2 * T21 + s1 * T11
+            v47 = s1 * T21 - v2 * T11
+            v48 = X4_pp * v46 - Y4 * (s23_pp * T31 + v32 * v47)
+            v49 = X4_pm * v46 - Y4 * (s23_pm * T31 + v33 * v47)
+            v50 = Y4 * (s23_mp * T31 - v34 * v47) - X4_mp * v46
+            v51 = Y4 * (s23_mm * T31 - v35 * v47) - X4_mm * v46
+            doubt = (
+                v27 <= m3 or v41 <= m4 or (v26 <= m3 or v40 <= m4 or (v25 <= m3 or v39 <= m4 or (v24
+                <= m3 or v38 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[3008 + k] = Y1
+            work[1056 + k] = w3_p
+            work[2624 + k] = w3_m
+            work[3488 + k] = v42
+            work[3520 + k] = v43
+            work[1440 + k] = v48
+            work[800 + k] = v49
+            work[1920 + k] = v50
+            work[3392 + k] = v51
+            work[3552 + k] = doubt
+            work[3584 + k] = Y1
+            work[3616 + k] = Y4
+            work[3648 + k] = Y4
+            work[3680 + k] = -Y4
+            work[3712 + k] = -Y4
+            work[3744 + k] = v48
+            work[3776 + k] = v49
+            work[3808 + k] = v50
+            work[3840 + k] = v51
+            work[3872 + k] = S2_pp
+            work[3904 + k] = S2_pm
+            work[3936 + k] = S2_mp
+            work[3968 + k] = S2_mm
+            work[4000 + k] = w3_p
+            work[4032 + k] = w3_m
+            work[4064 + k] = math.sqrt(v38)
+            work[4096 + k] = math.sqrt(v39)
+            work[4128 + k] = math.sqrt(v40)
+            work[4160 + k] = math.sqrt(v41)
+            work[4192 + k] = -wx
+            work[4224 + k] = -X4_pp
+            work[4256 + k] = -X4_pm
+            work[4288 + k] = -X4_mp
+            work[4320 + k] = -X4_mm
+            work[4352 + k] = X4_pp * v44 - Y4 * (s23_pp * T32 + v32 * v45)
+            work[4384 + k] = X4_pm * v44 - Y4 * (s23_pm * T32 + v33 * v45)
+            work[4416 + k] = Y4 * (s23_mp * T32 - v34 * v45) - X4_mp * v44
+            work[4448 + k] = Y4 * (s23_mm * T32 - v35 * v45) - X4_mm * v44
+            work[4480 + k] = -v20
+            work[4512 + k] = -v21
+            work[4544 + k] = -v22
+            work[4576 + k] = -v23
+            work[4608 + k] = K3_p
+            work[4640 + k] = K3_m
+            work[4672 + k] = s23_pp * v36 - T33 * v32
+            work[4704 + k] = s23_pm * v36 - T33 * v33
+            work[4736 + k] = -(s23_mp * v36 + T33 * v34)
+            work[4768 + k] = -(s23_mm * v36 + T33 * v35)
+        for k in range(3584, 4192):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            v49 = work[800 + k]
+            w3_p = work[1056 + k]
+            v48 = work[1440 + k]
+            v50 = work[1920 + k]
+            w3_m = work[2624 + k]
+            Y1 = work[3008 + k]
+            v51 = work[3392 + k]
+            v42 = work[3488 + k]
+            v43 = work[3520 + k]
+            doubt = work[3552 + k] != 0.0
+            angle1 = work[3584 + k]
+            angle1_ = work[3616 + k]
+            angle1__ = work[3648 + k]
+            angle1___ = work[3680 + k]
+            angle1____ = work[3712 + k]
+            angle1_____ = work[3744 + k]
+            angle1______ = work[3776 + k]
+            angle1_______ = work[3808 + k]
+            angle1________ = work[3840 + k]
+            angle1_________ = work[3872 + k]
+            angle1__________ = work[3904 + k]
+            angle1___________ = work[3936 + k]
+            angle1____________ = work[3968 + k]
+            angle1_____________ = work[4000 + k]
+            angle1______________ = work[4032 + k]
+            angle1_______________ = work[4064 + k]
+            angle1________________ = work[4096 + k]
+            angle1_________________ = work[4128 + k]
+            angle1__________________ = work[4160 + k]
+            q4_ppm = angle1_ - v42
+            q4_pmm = angle1__ - v42
+            q4_mpm = angle1___ - v43
+            q4_mmm = angle1____ - v43
+            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v48)
+            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v49)
+            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v50)
+            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v51)
+            v52 = angle1_________ - offset2
+            v53 = angle1__________ - offset2
+            v54 = angle1___________ - offset2
+            v55 = angle1____________ - offset2
+            q2_ppp = v52 - (m5 if half_turn < v52 else 0.0)
+            q2_pmp = v53 - (m5 if half_turn < v53 else 0.0)
+            q2_mpp = v54 - (m5 if half_turn < v54 else 0.0)
+            q2_mmp = v55 - (m5 if half_turn < v55 else 0.0)
+            v56 = angle1_____________ - turn1 - offset3
+            v57 = offset3 + (turn1 + angle1_____________)
+            v58 = angle1______________ - turn1 - offset3
+            v59 = offset3 + (turn1 + angle1______________)
+            q3_ppp = v56 - (m5 if half_turn < v56 else 0.0)
+            q3_mpp = v58 - (m5 if half_turn < v58 else 0.0)
+            v60 = angle1_______________ - offset5
+            v61 = offset5 + angle1_______________
+            v62 = angle1________________ - offset5
+            v63 = offset5 + angle1________________
+            v64 = angle1_________________ - offset5
+            v65 = offset5 + angle1_________________
+            v66 = angle1__________________ - offset5
+            v67 = offset5 + angle1__________________
+            q5_ppp = v60 + (m5 if v60 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v61 <= -half_turn else 0.0) - v61
+            q5_pmp = v62 + (m5 if v62 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v63 <= -half_turn else 0.0) - v63
+            q5_mpp = v64 + (m5 if v64 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v65 <= -half_turn else 0.0) - v65
+            q5_mmp = v66 + (m5 if v66 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v67 <= -half_turn else 0.0) - v67
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            _6080 = q1_ppp
+            work[6080 + k] = _6080
+            _6112 = q2_ppp
+            work[6112 + k] = _6112
+            _6144 = q3_ppp
+            work[6144 + k] = _6144
+            _6176 = angle1_
+            work[6176 + k] = _6176
+            _6208 = q5_ppp
+            work[6208 + k] = _6208
+            _6240 = angle1_____
+            work[6240 + k] = _6240
+            _6272 = q4_ppm
+            work[6272 + k] = _6272
+            _6304 = q5_ppm
+            work[6304 + k] = _6304
+            _6336 = q6_ppm
+            work[6336 + k] = _6336
+            _6368 = q2_pmp
+            work[6368 + k] = _6368
+            _6400 = -(v57 + (m5 if half_turn < -v57 else 0.0))
+            work[6400 + k] = _6400
+            _6432 = angle1__
+            work[6432 + k] = _6432
+            _6464 = q5_pmp
+            work[6464 + k] = _6464
+            _6496 = angle1______
+            work[6496 + k] = _6496
+            _6528 = q4_pmm
+            work[6528 + k] = _6528
+            _6560 = q5_pmm
+            work[6560 + k] = _6560
+            _6592 = q6_pmm
+            work[6592 + k] = _6592
+            _6624 = q1_mpp
+            work[6624 + k] = _6624
+            _6656 = q2_mpp
+            work[6656 + k] = _6656
+            _6688 = q3_mpp
+            work[6688 + k] = _6688
+            _6720 = angle1___
+            work[6720 + k] = _6720
+            _6752 = q5_mpp
+            work[6752 + k] = _6752
+            _6784 = angle1_______
+            work[6784 + k] = _6784
+            _6816 = q4_mpm
+            work[6816 + k] = _6816
+            _6848 = q5_mpm
+            work[6848 + k] = _6848
+            _6880 = q6_mpm
+            work[6880 + k] = _6880
+            _6912 = q2_mmp
+            work[6912 + k] = _6912
+            _6944 = -(v59 + (m5 if half_turn < -v59 else 0.0))
+            work[6944 + k] = _6944
+            _6976 = angle1____
+            work[6976 + k] = _6976
+            _7008 = q5_mmp
+            work[7008 + k] = _7008
+            _7040 = angle1________
+            work[7040 + k] = _7040
+            _7072 = q4_mmm
+            work[7072 + k] = _7072
+            _7104 = q5_mmm
+            work[7104 + k] = _7104
+            _7136 = q6_mmm
+            work[7136 + k] = _7136
+            work[7168 + k] = UNREACHABLE if _6080 != _6080 else OK
+            work[7200 + k] = UNREACHABLE if _6080 != _6080 else OK
+            work[7232 + k] = UNREACHABLE if _6080 != _6080 else OK
+            work[7264 + k] = UNREACHABLE if _6080 != _6080 else OK
+            work[7296 + k] = UNREACHABLE if _6624 != _6624 else OK
+            work[7328 + k] = UNREACHABLE if _6624 != _6624 else OK
+            work[7360 + k] = UNREACHABLE if _6624 != _6624 else OK
+            work[7392 + k] = UNREACHABLE if _6624 != _6624 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -616,14 +1240,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "katana_400"
 METHOD = "closed form"
@@ -67,6 +69,12 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 4.5941283999999985e-25  # free_limit1^2 [m^2]
+m3 = 9.999999999999998e-49  # free_limit_squared^2
+m4 = 2.1106015755686556e-49  # free_limit_squared2^2 [m^4]
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -83,7 +91,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -113,7 +121,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -170,6 +178,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -456,7 +467,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -472,7 +483,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -504,7 +515,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -521,7 +532,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -542,15 +553,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(5):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -566,6 +574,191 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    c1 = T14 * factor1
+    s1 = T24 * factor1
+    angle1 = _atan2(T24, T14)
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    Z2_234 = c1 * T13 + s1 * T23
+    v2 = T33 * T33 + Z2_234 * Z2_234
+    free234 = v2 <= m3
+    factor234 = 1.0 / math.sqrt(v2)
+    c234 = T33 * factor234
+    v3 = Z2_234 * factor234
+    angle1_ = _atan2(-Z2_234, T33)
+
+    # theta5, type 3: U1[3, 2] and U1[3, 1]
+    Z1_5 = s1 * T12 - c1 * T22
+    Z2_5 = s1 * T11 - c1 * T21
+    v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v5 = 1.0 / math.sqrt(v4)
+    v6 = Z1_5 * v5
+    v7 = Z2_5 * v5
+    angle1__ = _atan2(-Z2_5, -Z1_5)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v8 = d5 * c234
+    Z1_3 = T34 - d1 - v8
+    v9 = d5 * v3
+    Z2_3 = w1 - v9
+    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v10 = w3 - w3
+    s3 = k2 * w3
+    c3 = k2 * K3
+    angle1___ = _atan2(w3, K3)
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2 = a2 + a3 * c3
+    Y1_2 = a3 * s3
+    v11 = Z1_3 * X1_2
+    v12 = Z2_3 * Y1_2
+    S2_pp = v11 - v12
+    S2_pm = v11 + v12
+    v13 = Z2_3 * X1_2
+    v14 = Z1_3 * Y1_2
+    C2_pp = v13 + v14
+    C2_pm = v13 - v14
+    v15 = S2_pp * S2_pp + C2_pp * C2_pp
+    v16 = S2_pm * S2_pm
+    v17 = v16 + C2_pm * C2_pm
+    v18 = v16 + -C2_pm * -C2_pm
+    free2_pp = v15 <= m4
+    free2_pm = v17 <= m4
+    free2_mp = v18 <= m4
+    factor2_pp = 1.0 / math.sqrt(v15)
+    factor2_pm = 1.0 / math.sqrt(v17)
+    factor2_mp = 1.0 / math.sqrt(v18)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = -C2_pm * factor2_mp
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_pm * factor2_mp
+    angle1____ = _atan2(S2_pp, C2_pp)
+    angle1_____ = _atan2(S2_pm, C2_pm)
+    angle1______ = _atan2(S2_pm, -C2_pm)
+    angle1_______ = _atan2(S2_pp, -C2_pp)
+
+    # is the pose one that the arm can take?
+    v19 = c1 * c234
+    v20 = c3 * c2_pp - s3 * s2_pp
+    v21 = v9 + a2 * c2_pp
+    v22 = a3 * v20 + v21
+    v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm)
+    v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9)
+    v25 = a3 * -v20 - v21
+    v26 = s1 * c234
+    v27 = d1 + v8
+    v28 = math.sqrt(-1.0)
+    v29 = (
+        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and (abs(T31 -
+        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v26 - c1 *
+        v6)) <= pose_slack and (abs(T21 + (v6 * v26 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
+        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v19)) <= pose_slack and abs(T12 - (s1 * v6
+        + v7 * v19)) <= pose_slack)))))))) else v28
+    )
+    v30 = abs(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <= pose_slack1
+    v31 = (
+        0.0 if (v30 and (abs(T14 - c1 * v22) <= pose_slack1 and abs(T24 - s1 * v22) <= pose_slack1))
+        else v28
+    )
+    v32 = (
+        0.0 if (abs(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 * s2_pm))) <= pose_slack1 and
+        (abs(T14 - c1 * v23) <= pose_slack1 and abs(T24 - s1 * v23) <= pose_slack1)) else v28
+    )
+    v33 = (
+        0.0 if (abs(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 * s2_mp))) <= pose_slack1 and
+        (abs(T14 + c1 * v24) <= pose_slack1 and abs(T24 + s1 * v24) <= pose_slack1)) else v28
+    )
+    v34 = (
+        0.0 if (v30 and (abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1))
+        else v28
+    )
+
+    # joint values
+    v35 = angle1_ - (angle1___ + angle1____) - offset4
+    v36 = angle1_ - (angle1_____ - angle1___) - offset4
+    v37 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
+    v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
+    v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
+    v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
+    v43 = v29 + (angle1 + v10)
+    v44 = v29 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v31 + v43
+    q1_pm = v32 + v43
+    q1_mp = v33 + v44
+    q1_mm = v34 + v44
+    q2_pp = v31 + (angle1____ + v29)
+    q2_pm = v32 + (angle1_____ + v29)
+    q2_mp = v33 + (angle1______ + v29)
+    q2_mm = v34 + (angle1_______ + v29)
+    v45 = angle1___ + v29
+    v46 = v29 - angle1___
+    q3_pp = v31 + v45
+    q3_pm = v32 + v46
+    q3_mp = v33 + v45
+    q3_mm = v34 + v46
+    q4_pp = v31 + (v29 + (v39 - (m5 if half_turn < v39 else 0.0)))
+    q4_pm = v32 + (v29 + (v40 - (m5 if half_turn < v40 else 0.0)))
+    q4_mp = v33 + (v29 + (v41 - (m5 if half_turn < v41 else 0.0)))
+    q4_mm = v34 + (v29 + (v42 - (m5 if half_turn < v42 else 0.0)))
+    v47 = v29 + (angle1__ + v10)
+    v48 = v29 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+    q5_pp = v31 + v47
+    q5_pm = v32 + v47
+    q5_mp = v33 + v48
+    q5_mm = v34 + v48
+    doubt = (
+        free2_mp or (free234 or free2_mp) or (free2_pm or (free234 or free2_pm) or (shortest3_reach
+        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v4
+        <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or free2_pp))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = q2_pp
+    q[0, 2] = q3_pp
+    q[0, 3] = q4_pp
+    q[0, 4] = q5_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pm
+    q[1, 1] = q2_pm
+    q[1, 2] = q3_pm
+    q[1, 3] = q4_pm
+    q[1, 4] = q5_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = q2_mp
+    q[2, 2] = q3_mp
+    q[2, 3] = q4_mp
+    q[2, 4] = q5_mp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mm
+    q[3, 1] = q2_mm
+    q[3, 2] = q3_mm
+    q[3, 3] = q4_mm
+    q[3, 4] = q5_mm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -589,13 +782,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (5,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -612,10 +815,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 5)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (5,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -675,10 +876,295 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(5)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [4384, 4416, 4448, 4480, 4512],
+    [4544, 4576, 4608, 4640, 4672],
+    [4704, 4736, 4768, 4800, 4832],
+    [4864, 4896, 4928, 4960, 4992],
+])
+_KINDS = np.array([5024, 5056, 5088, 5120])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(5152)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            c1 = T14 * factor1
+            s1 = T24 * factor1
+            Z2_234 = c1 * T13 + s1 * T23
+            v2 = T33 * T33 + Z2_234 * Z2_234
+            free234 = v2 <= m3
+            factor234 = 1.0 / math.sqrt(v2)
+            c234 = T33 * factor234
+            v3 = Z2_234 * factor234
+            Z1_5 = s1 * T12 - c1 * T22
+            Z2_5 = s1 * T11 - c1 * T21
+            v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v5 = 1.0 / math.sqrt(v4)
+            v6 = Z1_5 * v5
+            v7 = Z2_5 * v5
+            v8 = d5 * c234
+            Z1_3 = T34 - d1 - v8
+            v9 = d5 * v3
+            Z2_3 = w1 - v9
+            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+            K3 = N3 - k1
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v10 = w3 - w3
+            s3 = k2 * w3
+            c3 = k2 * K3
+            X1_2 = a2 + a3 * c3
+            Y1_2 = a3 * s3
+            v11 = Z1_3 * X1_2
+            v12 = Z2_3 * Y1_2
+            S2_pp = v11 - v12
+            S2_pm = v11 + v12
+            v13 = Z2_3 * X1_2
+            v14 = Z1_3 * Y1_2
+            C2_pp = v13 + v14
+            C2_pm = v13 - v14
+            v15 = S2_pp * S2_pp + C2_pp * C2_pp
+            v16 = S2_pm * S2_pm
+            v17 = v16 + C2_pm * C2_pm
+            v18 = v16 + -C2_pm * -C2_pm
+            free2_pp = v15 <= m4
+            free2_pm = v17 <= m4
+            free2_mp = v18 <= m4
+            factor2_pp = 1.0 / math.sqrt(v15)
+            factor2_pm = 1.0 / math.sqrt(v17)
+            factor2_mp = 1.0 / math.sqrt(v18)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = -C2_pm * factor2_mp
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_pm * factor2_mp
+            v19 = c1 * c234
+            v20 = c3 * c2_pp - s3 * s2_pp
+            v21 = v9 + a2 * c2_pp
+            v22 = a3 * v20 + v21
+            v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm)
+            v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9)
+            v25 = a3 * -v20 - v21
+            v26 = s1 * c234
+            v27 = d1 + v8
+            v28 = math.sqrt(-1.0)
+            v29 = (
+                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and
+                (abs(T31 - v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22
+                - (v7 * v26 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v26 + c1 * v7)) <=
+                pose_slack and (abs(T13 - c1 * v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 *
+                v19)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v19)) <= pose_slack)))))))) else
+                v28
+            )
+            v30 = abs(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <= pose_slack1
+            v31 = (
+                0.0 if (v30 and (abs(T14 - c1 * v22) <= pose_slack1 and abs(T24 - s1 * v22) <=
+                pose_slack1)) else v28
+            )
+            v32 = (
+                0.0 if (abs(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 * s2_pm))) <=
+                pose_slack1 and (abs(T14 - c1 * v23) <= pose_slack1 and abs(T24 - s1 * v23) <=
+                pose_slack1)) else v28
+            )
+            v33 = (
+                0.0 if (abs(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 * s2_mp))) <=
+                pose_slack1 and (abs(T14 + c1 * v24) <= pose_slack1 and abs(T24 + s1 * v24) <=
+                pose_slack1)) else v28
+            )
+            v34 = (
+                0.0 if (v30 and (abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <=
+                pose_slack1)) else v28
+            )
+            doubt = (
+                free2_mp or (free234 or free2_mp) or (free2_pm or (free234 or free2_pm) or
+                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or
+                free2_pp))))
+            )
+            work[864 + k] = Z2_5
+            work[2560 + k] = v10
+            work[2592 + k] = v29
+            work[2624 + k] = v31
+            work[2656 + k] = v32
+            work[2688 + k] = v33
+            work[2720 + k] = v34
+            work[2752 + k] = doubt
+            work[2784 + k] = T24
+            work[2816 + k] = -Z2_234
+            work[2848 + k] = -Z2_5
+            work[2880 + k] = w3
+            work[2912 + k] = S2_pp
+            work[2944 + k] = S2_pm
+            work[2976 + k] = S2_pm
+            work[3008 + k] = S2_pp
+            work[3040 + k] = T14
+            work[3072 + k] = T33
+            work[3104 + k] = -Z1_5
+            work[3136 + k] = K3
+            work[3168 + k] = C2_pp
+            work[3200 + k] = C2_pm
+            work[3232 + k] = -C2_pm
+            work[3264 + k] = -C2_pp
+        for k in range(2784, 3040):
+            work[k] = _atan2(work[k], work[k + 256])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            Z2_5 = work[864 + k]
+            v10 = work[2560 + k]
+            v29 = work[2592 + k]
+            v31 = work[2624 + k]
+            v32 = work[2656 + k]
+            v33 = work[2688 + k]
+            v34 = work[2720 + k]
+            doubt = work[2752 + k] != 0.0
+            angle1 = work[2784 + k]
+            angle1_ = work[2816 + k]
+            angle1__ = work[2848 + k]
+            angle1___ = work[2880 + k]
+            angle1____ = work[2912 + k]
+            angle1_____ = work[2944 + k]
+            angle1______ = work[2976 + k]
+            angle1_______ = work[3008 + k]
+            v35 = angle1_ - (angle1___ + angle1____) - offset4
+            v36 = angle1_ - (angle1_____ - angle1___) - offset4
+            v37 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
+            v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
+            v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
+            v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
+            v43 = v29 + (angle1 + v10)
+            v44 = v29 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v31 + v43
+            q1_pm = v32 + v43
+            q1_mp = v33 + v44
+            q1_mm = v34 + v44
+            q2_pp = v31 + (angle1____ + v29)
+            q2_pm = v32 + (angle1_____ + v29)
+            q2_mp = v33 + (angle1______ + v29)
+            q2_mm = v34 + (angle1_______ + v29)
+            v45 = angle1___ + v29
+            v46 = v29 - angle1___
+            q3_pp = v31 + v45
+            q3_pm = v32 + v46
+            q3_mp = v33 + v45
+            q3_mm = v34 + v46
+            q4_pp = v31 + (v29 + (v39 - (m5 if half_turn < v39 else 0.0)))
+            q4_pm = v32 + (v29 + (v40 - (m5 if half_turn < v40 else 0.0)))
+            q4_mp = v33 + (v29 + (v41 - (m5 if half_turn < v41 else 0.0)))
+            q4_mm = v34 + (v29 + (v42 - (m5 if half_turn < v42 else 0.0)))
+            v47 = v29 + (angle1__ + v10)
+            v48 = v29 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+            q5_pp = v31 + v47
+            q5_pm = v32 + v47
+            q5_mp = v33 + v48
+            q5_mm = v34 + v48
+            _4384 = q1_pp
+            work[4384 + k] = _4384
+            _4416 = q2_pp
+            work[4416 + k] = _4416
+            _4448 = q3_pp
+            work[4448 + k] = _4448
+            _4480 = q4_pp
+            work[4480 + k] = _4480
+            _4512 = q5_pp
+            work[4512 + k] = _4512
+            _4544 = q1_pm
+            work[4544 + k] = _4544
+            _4576 = q2_pm
+            work[4576 + k] = _4576
+            _4608 = q3_pm
+            work[4608 + k] = _4608
+            _4640 = q4_pm
+            work[4640 + k] = _4640
+            _4672 = q5_pm
+            work[4672 + k] = _4672
+            _4704 = q1_mp
+            work[4704 + k] = _4704
+            _4736 = q2_mp
+            work[4736 + k] = _4736
+            _4768 = q3_mp
+            work[4768 + k] = _4768
+            _4800 = q4_mp
+            work[4800 + k] = _4800
+            _4832 = q5_mp
+            work[4832 + k] = _4832
+            _4864 = q1_mm
+            work[4864 + k] = _4864
+            _4896 = q2_mm
+            work[4896 + k] = _4896
+            _4928 = q3_mm
+            work[4928 + k] = _4928
+            _4960 = q4_mm
+            work[4960 + k] = _4960
+            _4992 = q5_mm
+            work[4992 + k] = _4992
+            work[5024 + k] = UNREACHABLE if _4384 != _4384 else OK
+            work[5056 + k] = UNREACHABLE if _4544 != _4544 else OK
+            work[5088 + k] = UNREACHABLE if _4704 != _4704 else OK
+            work[5120 + k] = UNREACHABLE if _4864 != _4864 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(5):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -689,14 +1175,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

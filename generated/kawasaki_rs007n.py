@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "kawasaki_rs007n"
 METHOD = "closed form"
@@ -77,6 +78,18 @@ offset6 = 1.5707963267948966  # offset of joint 6 [rad]
 k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+low2 = -2.356194491192345  # lowest value of joint 2
+high2 = 2.356194491192345  # highest value of joint 2
+low3 = -2.705260341591211  # lowest value of joint 3
+high3 = 2.705260341591211  # highest value of joint 3
+low5 = -2.181661565992912  # lowest value of joint 5
+high5 = 2.181661565992912  # highest value of joint 5
+m1 = 1.3642239999999997e-24  # free_limit1^2 [m^2]
+m2 = 1.861107122175999e-48  # free_limit_squared2^2 [m^4]
+m3 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -93,7 +106,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -123,7 +136,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -195,6 +208,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -480,15 +496,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -502,6 +515,268 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = d6 * T23 - T24
+    v1 = X1 * X1 + wy * wy
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = X1 * factor1
+    s1 = wy * factor1
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = d1 + (d6 * T33 - T34)
+    N3 = v1 + Z1_3 * Z1_3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v3 = w3 - w3
+    v4 = k1 * (N3 - k2)
+    s3 = k3 * v4
+    v5 = k1 * w3
+    v6 = k3 * v5
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    X1_2 = a2 + d4 * s3
+    X2_2 = d4 * v6
+    v7 = Z1_3 * X1_2
+    v8 = w1 * X2_2
+    S2_pp = v7 + v8
+    S2_pm = v7 - v8
+    v9 = w1 * X1_2
+    v10 = Z1_3 * X2_2
+    C2_pp = v9 - v10
+    C2_pm = v9 + v10
+    v11 = S2_pp * S2_pp
+    v12 = v11 + C2_pp * C2_pp
+    v13 = S2_pm * S2_pm + C2_pm * C2_pm
+    v14 = v11 + -C2_pp * -C2_pp
+    factor2_pp = 1.0 / math.sqrt(v12)
+    factor2_pm = 1.0 / math.sqrt(v13)
+    factor2_mm = 1.0 / math.sqrt(v14)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mm = -C2_pp * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mm = S2_pp * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c2m3_pp = s3 * s2_pp - v6 * c2_pp
+    c2m3_pm = s3 * s2_pm + v6 * c2_pm
+    c2m3_mm = s3 * s2_mm + v6 * c2_mm
+    v15 = s3 * c2_pp + v6 * s2_pp
+    v16 = s3 * c2_pm - v6 * s2_pm
+    v17 = s3 * c2_mm - v6 * s2_mm
+    v18 = T13 * v2 + T23 * s1
+    c4_pp = T33 * v15 - c2m3_pp * v18
+    v19 = c2m3_pm * v18
+    c4_pm = T33 * v16 - v19
+    c4_mp = v19 + T33 * -v16
+    c4_mm = T33 * v17 + c2m3_mm * v18
+    v20 = T13 * s1 - T23 * v2
+    v21 = v20 * v20
+    v22 = v21 + c4_pp * c4_pp
+    v23 = v21 + c4_pm * c4_pm
+    v24 = v21 + c4_mp * c4_mp
+    v25 = v21 + c4_mm * c4_mm
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v26 = s1 * T12 - v2 * T22
+    v27 = v2 * T12 + s1 * T22
+    v28 = s1 * T11 - v2 * T21
+    v29 = v2 * T11 + s1 * T21
+
+    # joint values
+    angle1 = _atan2(wy, -X1)
+    v30 = angle1 - offset1
+    v31 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+    angle1_ = _atan2(S2_pp, C2_pp)
+    v32 = angle1_ - offset2
+    angle1__ = _atan2(S2_pm, C2_pm)
+    v33 = angle1__ - offset2
+    angle1___ = _atan2(S2_pm, -C2_pm)
+    v34 = angle1___ - offset2
+    angle1____ = _atan2(S2_pp, -C2_pp)
+    v35 = angle1____ - offset2
+    q2_ppp = v32 - (m5 if half_turn < v32 else 0.0)
+    q2_pmp = v33 - (m5 if half_turn < v33 else 0.0)
+    q2_mpp = v34 - (m5 if half_turn < v34 else 0.0)
+    q2_mmp = v35 - (m5 if half_turn < v35 else 0.0)
+    angle1_____ = _atan2(v4, -v5)
+    v36 = angle1_____ - offset3
+    v37 = h1 * math.copysign(half_turn, v4) - angle1_____ - offset3
+    q3_ppp = v36 + (m5 if v36 <= -half_turn else 0.0)
+    q3_pmp = v37 + (m5 if v37 <= -half_turn else 0.0)
+    angle1______ = _atan2(-v20, c4_pp)
+    angle1_______ = _atan2(-v20, c4_pm)
+    angle1________ = _atan2(v20, c4_mp)
+    angle1_________ = _atan2(v20, c4_mm)
+    v38 = h1 * math.copysign(half_turn, -v20)
+    v39 = h1 * math.copysign(half_turn, v20)
+    v40 = angle1______ - offset4
+    v41 = angle1______ - v38 - offset4
+    v42 = angle1_______ - offset4
+    v43 = angle1_______ - v38 - offset4
+    v44 = angle1________ - offset4
+    v45 = angle1________ - v39 - offset4
+    v46 = angle1_________ - offset4
+    v47 = angle1_________ - v39 - offset4
+    q4_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
+    q4_ppm = v41 + (m5 if v41 <= -half_turn else 0.0)
+    q4_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
+    q4_pmm = v43 + (m5 if v43 <= -half_turn else 0.0)
+    q4_mpp = v44 + (m5 if v44 <= -half_turn else 0.0)
+    q4_mpm = v45 + (m5 if v45 <= -half_turn else 0.0)
+    q4_mmp = v46 + (m5 if v46 <= -half_turn else 0.0)
+    q4_mmm = v47 + (m5 if v47 <= -half_turn else 0.0)
+    angle1__________ = _atan2(math.sqrt(v22), T33 * c2m3_pp + v15 * v18)
+    v48 = T33 * c2m3_pm
+    angle1___________ = _atan2(math.sqrt(v23), v48 + v16 * v18)
+    angle1____________ = _atan2(math.sqrt(v24), v48 - -v16 * v18)
+    angle1_____________ = _atan2(math.sqrt(v25), T33 * c2m3_mm - v17 * v18)
+    v49 = angle1__________ - offset5
+    v50 = offset5 + angle1__________
+    v51 = angle1___________ - offset5
+    v52 = offset5 + angle1___________
+    v53 = angle1____________ - offset5
+    v54 = offset5 + angle1____________
+    v55 = angle1_____________ - offset5
+    v56 = offset5 + angle1_____________
+    q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
+    q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
+    q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
+    q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
+    q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
+    q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
+    q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
+    q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
+    v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29)
+    v58 = c2m3_pm * v29
+    v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58)
+    angle1______________ = _atan2(v57, c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27))
+    v60 = c2m3_pm * v27
+    angle1_______________ = _atan2(v59, c4_pm * v26 + -v20 * (v16 * T32 - v60))
+    angle1________________ = (
+        _atan2(-(c4_mp * v28 + -v20 * (v58 + -v16 * T31)), -(c4_mp * v26 + -v20 * (v60 + -v16 *
+        T32)))
+    )
+    angle1_________________ = (
+        _atan2(-(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29)), -(c4_mm * v26 + -v20 * (v17 *
+        T32 + c2m3_mm * v27)))
+    )
+    v61 = angle1______________ - offset6
+    v62 = angle1______________ - h1 * math.copysign(half_turn, v57) - offset6
+    v63 = angle1_______________ - offset6
+    v64 = angle1_______________ - h1 * math.copysign(half_turn, v59) - offset6
+    v65 = angle1________________ - offset6
+    v66 = (
+        angle1________________ - h1 * math.copysign(half_turn, -(c4_mp * v28 + -v20 * (v58 + -v16 *
+        T31))) - offset6
+    )
+    v67 = angle1_________________ - offset6
+    v68 = (
+        angle1_________________ - h1 * math.copysign(half_turn, -(c4_mm * v28 + -v20 * (v17 * T31 +
+        c2m3_mm * v29))) - offset6
+    )
+    q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
+    q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
+    q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
+    q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
+    q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
+    q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
+    q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
+    q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
+    v69 = q3_ppp < low3 or high3 < q3_ppp
+    v70 = q3_pmp < low3 or high3 < q3_pmp
+    q1_ppp = v3 + (v30 - (m5 if half_turn < v30 else 0.0))
+    q1_mpp = v3 + (v31 - (m5 if half_turn < v31 else 0.0))
+    v71 = v69 or (q2_ppp < low2 or high2 < q2_ppp)
+    v72 = v70 or (q2_pmp < low2 or high2 < q2_pmp)
+    v73 = v69 or (q2_mpp < low2 or high2 < q2_mpp)
+    v74 = v70 or (q2_mmp < low2 or high2 < q2_mmp)
+    outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+    v75 = v13 <= m2
+    doubt = (
+        v14 <= m2 or v25 <= m3 or (v75 or v24 <= m3 or (v75 or v23 <= m3 or (v1 <= m1 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v12 <= m2 or v22 <= m3))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = q6_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = q6_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -525,13 +800,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -548,10 +833,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -611,10 +894,418 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6400, 6432, 6464, 6496, 6528, 6560],
+    [6400, 6432, 6464, 6592, 6624, 6656],
+    [6400, 6688, 6720, 6752, 6784, 6816],
+    [6400, 6688, 6720, 6848, 6880, 6912],
+    [6944, 6976, 6464, 7008, 7040, 7072],
+    [6944, 6976, 6464, 7104, 7136, 7168],
+    [6944, 7200, 6720, 7232, 7264, 7296],
+    [6944, 7200, 6720, 7328, 7360, 7392],
+])
+_KINDS = np.array([7424, 7456, 7488, 7520, 7552, 7584, 7616, 7648])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7680)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = d6 * T23 - T24
+            v1 = X1 * X1 + wy * wy
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = X1 * factor1
+            s1 = wy * factor1
+            Z1_3 = d1 + (d6 * T33 - T34)
+            N3 = v1 + Z1_3 * Z1_3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v3 = w3 - w3
+            v4 = k1 * (N3 - k2)
+            s3 = k3 * v4
+            v5 = k1 * w3
+            v6 = k3 * v5
+            X1_2 = a2 + d4 * s3
+            X2_2 = d4 * v6
+            v7 = Z1_3 * X1_2
+            v8 = w1 * X2_2
+            S2_pp = v7 + v8
+            S2_pm = v7 - v8
+            v9 = w1 * X1_2
+            v10 = Z1_3 * X2_2
+            C2_pp = v9 - v10
+            C2_pm = v9 + v10
+            v11 = S2_pp * S2_pp
+            v12 = v11 + C2_pp * C2_pp
+            v13 = S2_pm * S2_pm + C2_pm * C2_pm
+            v14 = v11 + -C2_pp * -C2_pp
+            factor2_pp = 1.0 / math.sqrt(v12)
+            factor2_pm = 1.0 / math.sqrt(v13)
+            factor2_mm = 1.0 / math.sqrt(v14)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mm = -C2_pp * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mm = S2_pp * factor2_mm
+            c2m3_pp = s3 * s2_pp - v6 * c2_pp
+            c2m3_pm = s3 * s2_pm + v6 * c2_pm
+            c2m3_mm = s3 * s2_mm + v6 * c2_mm
+            v15 = s3 * c2_pp + v6 * s2_pp
+            v16 = s3 * c2_pm - v6 * s2_pm
+            v17 = s3 * c2_mm - v6 * s2_mm
+            v18 = T13 * v2 + T23 * s1
+            c4_pp = T33 * v15 - c2m3_pp * v18
+            v19 = c2m3_pm * v18
+            c4_pm = T33 * v16 - v19
+            c4_mp = v19 + T33 * -v16
+            c4_mm = T33 * v17 + c2m3_mm * v18
+            v20 = T13 * s1 - T23 * v2
+            v21 = v20 * v20
+            v22 = v21 + c4_pp * c4_pp
+            v23 = v21 + c4_pm * c4_pm
+            v24 = v21 + c4_mp * c4_mp
+            v25 = v21 + c4_mm * c4_mm
+            v26 = s1 * T12 - v2 * T22
+            v27 = v2 * T12 + s1 * T22
+            v28 = s1 * T11 - v2 * T21
+            v29 = v2 * T11 + s1 * T21
+            v38 = h1 * math.copysign(half_turn, -v20)
+            v39 = h1 * math.copysign(half_turn, v20)
+            v48 = T33 * c2m3_pm
+            v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29)
+            v58 = c2m3_pm * v29
+            v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58)
+            v60 = c2m3_pm * v27
+            v75 = v13 <= m2
+            doubt = (
+                v14 <= m2 or v25 <= m3 or (v75 or v24 <= m3 or (v75 or v23 <= m3 or (v1 <= m1 or
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v12 <= m2 or v22 <= m3))))
+            )
+            work[992 + k] = wy
+            work[2624 + k] = v3
+            work[1728 + k] = v4
+            work[2048 + k] = c2m3_mm
+            work[704 + k] = v16
+            work[2208 + k] = v17
+            work[672 + k] = c4_mp
+            work[2176 + k] = c4_mm
+            work[2272 + k] = v20
+            work[800 + k] = v28
+            work[1472 + k] = v29
+            work[2656 + k] = v38
+            work[2688 + k] = v39
+            work[1440 + k] = v57
+            work[832 + k] = v58
+            work[768 + k] = v59
+            work[2720 + k] = doubt
+            work[2752 + k] = wy
+            work[2784 + k] = S2_pp
+            work[2816 + k] = S2_pm
+            work[2848 + k] = S2_pm
+            work[2880 + k] = S2_pp
+            work[2912 + k] = v4
+            work[2944 + k] = -v20
+            work[2976 + k] = -v20
+            work[3008 + k] = v20
+            work[3040 + k] = v20
+            work[3072 + k] = math.sqrt(v22)
+            work[3104 + k] = math.sqrt(v23)
+            work[3136 + k] = math.sqrt(v24)
+            work[3168 + k] = math.sqrt(v25)
+            work[3200 + k] = v57
+            work[3232 + k] = v59
+            work[3264 + k] = -(c4_mp * v28 + -v20 * (v58 + -v16 * T31))
+            work[3296 + k] = -(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29))
+            work[3328 + k] = -X1
+            work[3360 + k] = C2_pp
+            work[3392 + k] = C2_pm
+            work[3424 + k] = -C2_pm
+            work[3456 + k] = -C2_pp
+            work[3488 + k] = -v5
+            work[3520 + k] = c4_pp
+            work[3552 + k] = c4_pm
+            work[3584 + k] = c4_mp
+            work[3616 + k] = c4_mm
+            work[3648 + k] = T33 * c2m3_pp + v15 * v18
+            work[3680 + k] = v48 + v16 * v18
+            work[3712 + k] = v48 - -v16 * v18
+            work[3744 + k] = T33 * c2m3_mm - v17 * v18
+            work[3776 + k] = c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27)
+            work[3808 + k] = c4_pm * v26 + -v20 * (v16 * T32 - v60)
+            work[3840 + k] = -(c4_mp * v26 + -v20 * (v60 + -v16 * T32))
+            work[3872 + k] = -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27))
+        for k in range(2752, 3328):
+            work[k] = _atan2(work[k], work[k + 576])
+        for k in range(0, 32):
+            T31 = work[256 + k]
+            c4_mp = work[672 + k]
+            v16 = work[704 + k]
+            v59 = work[768 + k]
+            v28 = work[800 + k]
+            v58 = work[832 + k]
+            wy = work[992 + k]
+            v57 = work[1440 + k]
+            v29 = work[1472 + k]
+            v4 = work[1728 + k]
+            c2m3_mm = work[2048 + k]
+            c4_mm = work[2176 + k]
+            v17 = work[2208 + k]
+            v20 = work[2272 + k]
+            v3 = work[2624 + k]
+            v38 = work[2656 + k]
+            v39 = work[2688 + k]
+            doubt = work[2720 + k] != 0.0
+            angle1 = work[2752 + k]
+            angle1_ = work[2784 + k]
+            angle1__ = work[2816 + k]
+            angle1___ = work[2848 + k]
+            angle1____ = work[2880 + k]
+            angle1_____ = work[2912 + k]
+            angle1______ = work[2944 + k]
+            angle1_______ = work[2976 + k]
+            angle1________ = work[3008 + k]
+            angle1_________ = work[3040 + k]
+            angle1__________ = work[3072 + k]
+            angle1___________ = work[3104 + k]
+            angle1____________ = work[3136 + k]
+            angle1_____________ = work[3168 + k]
+            angle1______________ = work[3200 + k]
+            angle1_______________ = work[3232 + k]
+            angle1________________ = work[3264 + k]
+            angle1_________________ = work[3296 + k]
+            v30 = angle1 - offset1
+            v31 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+            v32 = angle1_ - offset2
+            v33 = angle1__ - offset2
+            v34 = angle1___ - offset2
+            v35 = angle1____ - offset2
+            q2_ppp = v32 - (m5 if half_turn < v32 else 0.0)
+            q2_pmp = v33 - (m5 if half_turn < v33 else 0.0)
+            q2_mpp = v34 - (m5 if half_turn < v34 else 0.0)
+            q2_mmp = v35 - (m5 if half_turn < v35 else 0.0)
+            v36 = angle1_____ - offset3
+            v37 = h1 * math.copysign(half_turn, v4) - angle1_____ - offset3
+            q3_ppp = v36 + (m5 if v36 <= -half_turn else 0.0)
+            q3_pmp = v37 + (m5 if v37 <= -half_turn else 0.0)
+            v40 = angle1______ - offset4
+            v41 = angle1______ - v38 - offset4
+            v42 = angle1_______ - offset4
+            v43 = angle1_______ - v38 - offset4
+            v44 = angle1________ - offset4
+            v45 = angle1________ - v39 - offset4
+            v46 = angle1_________ - offset4
+            v47 = angle1_________ - v39 - offset4
+            q4_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
+            q4_ppm = v41 + (m5 if v41 <= -half_turn else 0.0)
+            q4_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
+            q4_pmm = v43 + (m5 if v43 <= -half_turn else 0.0)
+            q4_mpp = v44 + (m5 if v44 <= -half_turn else 0.0)
+            q4_mpm = v45 + (m5 if v45 <= -half_turn else 0.0)
+            q4_mmp = v46 + (m5 if v46 <= -half_turn else 0.0)
+            q4_mmm = v47 + (m5 if v47 <= -half_turn else 0.0)
+            v49 = angle1__________ - offset5
+            v50 = offset5 + angle1__________
+            v51 = angle1___________ - offset5
+            v52 = offset5 + angle1___________
+            v53 = angle1____________ - offset5
+            v54 = offset5 + angle1____________
+            v55 = angle1_____________ - offset5
+            v56 = offset5 + angle1_____________
+            q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
+            q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
+            q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
+            q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
+            q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
+            q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
+            q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
+            q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
+            v61 = angle1______________ - offset6
+            v62 = angle1______________ - h1 * math.copysign(half_turn, v57) - offset6
+            v63 = angle1_______________ - offset6
+            v64 = angle1_______________ - h1 * math.copysign(half_turn, v59) - offset6
+            v65 = angle1________________ - offset6
+            v66 = (
+                angle1________________ - h1 * math.copysign(half_turn, -(c4_mp * v28 + -v20 * (v58 +
+                -v16 * T31))) - offset6
+            )
+            v67 = angle1_________________ - offset6
+            v68 = (
+                angle1_________________ - h1 * math.copysign(half_turn, -(c4_mm * v28 + -v20 * (v17
+                * T31 + c2m3_mm * v29))) - offset6
+            )
+            q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
+            q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
+            q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
+            q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
+            q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
+            q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
+            q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
+            q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
+            v69 = q3_ppp < low3 or high3 < q3_ppp
+            v70 = q3_pmp < low3 or high3 < q3_pmp
+            q1_ppp = v3 + (v30 - (m5 if half_turn < v30 else 0.0))
+            q1_mpp = v3 + (v31 - (m5 if half_turn < v31 else 0.0))
+            v71 = v69 or (q2_ppp < low2 or high2 < q2_ppp)
+            v72 = v70 or (q2_pmp < low2 or high2 < q2_pmp)
+            v73 = v69 or (q2_mpp < low2 or high2 < q2_mpp)
+            v74 = v70 or (q2_mmp < low2 or high2 < q2_mmp)
+            outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+            _6400 = q1_ppp
+            work[6400 + k] = _6400
+            _6432 = q2_ppp
+            work[6432 + k] = _6432
+            _6464 = q3_ppp
+            work[6464 + k] = _6464
+            _6496 = q4_ppp
+            work[6496 + k] = _6496
+            _6528 = q5_ppp
+            work[6528 + k] = _6528
+            _6560 = q6_ppp
+            work[6560 + k] = _6560
+            _6592 = q4_ppm
+            work[6592 + k] = _6592
+            _6624 = q5_ppm
+            work[6624 + k] = _6624
+            _6656 = q6_ppm
+            work[6656 + k] = _6656
+            _6688 = q2_pmp
+            work[6688 + k] = _6688
+            _6720 = q3_pmp
+            work[6720 + k] = _6720
+            _6752 = q4_pmp
+            work[6752 + k] = _6752
+            _6784 = q5_pmp
+            work[6784 + k] = _6784
+            _6816 = q6_pmp
+            work[6816 + k] = _6816
+            _6848 = q4_pmm
+            work[6848 + k] = _6848
+            _6880 = q5_pmm
+            work[6880 + k] = _6880
+            _6912 = q6_pmm
+            work[6912 + k] = _6912
+            _6944 = q1_mpp
+            work[6944 + k] = _6944
+            _6976 = q2_mpp
+            work[6976 + k] = _6976
+            _7008 = q4_mpp
+            work[7008 + k] = _7008
+            _7040 = q5_mpp
+            work[7040 + k] = _7040
+            _7072 = q6_mpp
+            work[7072 + k] = _7072
+            _7104 = q4_mpm
+            work[7104 + k] = _7104
+            _7136 = q5_mpm
+            work[7136 + k] = _7136
+            _7168 = q6_mpm
+            work[7168 + k] = _7168
+            _7200 = q2_mmp
+            work[7200 + k] = _7200
+            _7232 = q4_mmp
+            work[7232 + k] = _7232
+            _7264 = q5_mmp
+            work[7264 + k] = _7264
+            _7296 = q6_mmp
+            work[7296 + k] = _7296
+            _7328 = q4_mmm
+            work[7328 + k] = _7328
+            _7360 = q5_mmm
+            work[7360 + k] = _7360
+            _7392 = q6_mmm
+            work[7392 + k] = _7392
+            work[7424 + k] = (
+                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[7456 + k] = (
+                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[7488 + k] = (
+                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[7520 + k] = (
+                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[7552 + k] = (
+                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[7584 + k] = (
+                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[7616 + k] = (
+                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[7648 + k] = (
+                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -625,14 +1316,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

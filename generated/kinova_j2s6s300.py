@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "kinova_j2s6s300"
 METHOD = "closed form"
@@ -80,6 +81,18 @@ k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - (d2 - d3) * 2) [m^
 k5 = 0.255061  # 2 * d4 * a2 [m^2]
 k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+low2 = 0.820304747437335  # lowest value of joint 2
+high2 = 5.462880559742252  # highest value of joint 2
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low3 = 0.3316125568789226  # lowest value of joint 3
+high3 = 5.951572750300664  # highest value of joint 3
+low5 = 0.5235987745982988  # lowest value of joint 5
+high5 = 5.759586532581287  # highest value of joint 5
+m1 = 2.6285906351645505e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -96,7 +109,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -126,7 +139,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -196,6 +209,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -481,15 +497,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -503,6 +516,290 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = d6 * T23 - T24
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k2
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    inverse1 = 1.0 / N1
+    v2 = k1 * X1
+    v3 = k1 * wy
+    v4 = X1 * w1
+    v5 = v3 - v4
+    v6 = v3 + v4
+    c1_p = inverse1 * v5
+    c1_m = inverse1 * v6
+    v7 = wy * w1
+    v8 = v2 + v7
+    v9 = v2 - v7
+    s1_p = inverse1 * v8
+    s1_m = inverse1 * v9
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = d1 + (d6 * T33 - T34)
+    N3 = D1 + Z1_3 * Z1_3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v10 = w3 - w3
+    v11 = k5 * (N3 - k6)
+    v12 = k7 * v11
+    v13 = k5 * w3
+    c3 = k7 * v13
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    X1_2 = a2 + d4 * v12
+    X2_2 = d4 * c3
+    v14 = Z1_3 * X1_2
+    v15 = w1 * X2_2
+    S2_pp = v14 + v15
+    S2_pm = v14 - v15
+    v16 = w1 * X1_2
+    v17 = Z1_3 * X2_2
+    C2_pp = v16 - v17
+    C2_pm = v16 + v17
+    v18 = S2_pp * S2_pp
+    v19 = v18 + C2_pp * C2_pp
+    v20 = S2_pm * S2_pm + C2_pm * C2_pm
+    v21 = v18 + -C2_pp * -C2_pp
+    factor2_pp = 1.0 / math.sqrt(v19)
+    factor2_pm = 1.0 / math.sqrt(v20)
+    factor2_mm = 1.0 / math.sqrt(v21)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mm = -C2_pp * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mm = S2_pp * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    c2m3_pp = c3 * c2_pp - v12 * s2_pp
+    v22 = c3 * c2_pm + v12 * s2_pm
+    v23 = c3 * c2_mm + v12 * s2_mm
+    s2m3_pp = v12 * c2_pp + c3 * s2_pp
+    s2m3_pm = v12 * c2_pm - c3 * s2_pm
+    s2m3_mm = v12 * c2_mm - c3 * s2_mm
+    v24 = T13 * c1_p - T23 * s1_p
+    v25 = T13 * c1_m - T23 * s1_m
+    X4_pp = T33 * s2m3_pp - c2m3_pp * v24
+    X4_pm = T33 * s2m3_pm + v22 * v24
+    X4_mp = T33 * -s2m3_pm + v22 * v25
+    X4_mm = T33 * s2m3_mm + v23 * v25
+    v26 = T23 * c1_p + T13 * s1_p
+    v27 = T23 * c1_m + T13 * s1_m
+    v28 = v26 * v26
+    v29 = v27 * v27
+    v30 = v28 + X4_pp * X4_pp
+    v31 = v28 + X4_pm * X4_pm
+    v32 = v29 + X4_mp * X4_mp
+    v33 = v29 + X4_mm * X4_mm
+    angle1 = _atan2(-v26, -X4_pp)
+    angle1_ = _atan2(-v26, -X4_pm)
+    angle1__ = _atan2(-v27, -X4_mp)
+    angle1___ = _atan2(-v27, -X4_mm)
+    v34 = math.copysign(half_turn, -v26) * h1
+    v35 = math.copysign(half_turn, -v27) * h1
+    q4_ppm = angle1 - v34
+    q4_pmm = angle1_ - v34
+    q4_mpm = angle1__ - v35
+    q4_mmm = angle1___ - v35
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1____ = _atan2(-math.sqrt(v30), -(T33 * c2m3_pp + s2m3_pp * v24))
+    v36 = T33 * v22
+    angle1_____ = _atan2(-math.sqrt(v31), v36 - s2m3_pm * v24)
+    angle1______ = _atan2(-math.sqrt(v32), v36 - -s2m3_pm * v25)
+    angle1_______ = _atan2(-math.sqrt(v33), T33 * v23 - s2m3_mm * v25)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v37 = c1_p * T22 + s1_p * T12
+    v38 = c1_m * T22 + s1_m * T12
+    v39 = c1_p * T12 - s1_p * T22
+    v40 = c1_m * T12 - s1_m * T22
+    v41 = c1_p * T21 + s1_p * T11
+    v42 = c1_m * T21 + s1_m * T11
+    v43 = c1_p * T11 - s1_p * T21
+    v44 = c1_m * T11 - s1_m * T21
+    s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31)
+    s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41
+    s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42
+    s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42
+
+    # joint values
+    angle1________ = _atan2(v8, v5)
+    v45 = angle1________ - offset1
+    angle1_________ = _atan2(v9, v6)
+    v46 = angle1_________ - offset1
+    angle1__________ = _atan2(S2_pp, C2_pp)
+    v47 = angle1__________ - offset2
+    angle1___________ = _atan2(S2_pm, C2_pm)
+    v48 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_pm, -C2_pm)
+    v49 = angle1____________ - offset2
+    angle1_____________ = _atan2(S2_pp, -C2_pp)
+    v50 = angle1_____________ - offset2
+    q2__pp = v47 + (m4 if v47 <= -half_turn else 0.0)
+    q2__pm = v48 + (m4 if v48 <= -half_turn else 0.0)
+    q2__mp = v49 + (m4 if v49 <= -half_turn else 0.0)
+    q2__mm = v50 + (m4 if v50 <= -half_turn else 0.0)
+    angle1______________ = _atan2(-v11, v13)
+    v51 = angle1______________ - offset3
+    v52 = h1 * math.copysign(half_turn, -v11) - angle1______________ - offset3
+    q3__p = v51 + (m4 if v51 <= -half_turn else 0.0)
+    q3__m = v52 + (m4 if v52 <= -half_turn else 0.0)
+    angle1_______________ = _atan2(s6_pp, v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37)
+    angle1________________ = _atan2(s6_pm, X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32))
+    angle1_________________ = _atan2(s6_mp, X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32))
+    angle1__________________ = _atan2(s6_mm, X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32))
+    v53 = angle1_______________ - offset6
+    v54 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v55 = angle1________________ - offset6
+    v56 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v57 = angle1_________________ - offset6
+    v58 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v59 = angle1__________________ - offset6
+    v60 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v53 - (m4 if half_turn < v53 else 0.0)
+    q6_ppm = v54 - (m4 if half_turn < v54 else 0.0)
+    q6_pmp = v55 - (m4 if half_turn < v55 else 0.0)
+    q6_pmm = v56 - (m4 if half_turn < v56 else 0.0)
+    q6_mpp = v57 - (m4 if half_turn < v57 else 0.0)
+    q6_mpm = v58 - (m4 if half_turn < v58 else 0.0)
+    q6_mmp = v59 - (m4 if half_turn < v59 else 0.0)
+    q6_mmm = v60 - (m4 if half_turn < v60 else 0.0)
+    v61 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
+    v62 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
+    v63 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
+    v64 = q2__mm + (whole_turn if q2__mm < low2 else 0.0)
+    v65 = v61 < low2 or high2 < v61
+    v66 = v62 < low2 or high2 < v62
+    v67 = v63 < low2 or high2 < v63
+    v68 = v64 < low2 or high2 < v64
+    q2_ppp = q2__pp if v65 else v61
+    q2_pmp = q2__pm if v66 else v62
+    q2_mpp = q2__mp if v67 else v63
+    q2_mmp = q2__mm if v68 else v64
+    v69 = q3__p + (whole_turn if q3__p < low3 else 0.0)
+    v70 = q3__m + (whole_turn if q3__m < low3 else 0.0)
+    v71 = v69 < low3 or high3 < v69
+    v72 = v70 < low3 or high3 < v70
+    v73 = angle1____ + (whole_turn if angle1____ < low5 else 0.0)
+    v74 = (whole_turn if -angle1____ < low5 else 0.0) - angle1____
+    v75 = angle1_____ + (whole_turn if angle1_____ < low5 else 0.0)
+    v76 = (whole_turn if -angle1_____ < low5 else 0.0) - angle1_____
+    v77 = angle1______ + (whole_turn if angle1______ < low5 else 0.0)
+    v78 = (whole_turn if -angle1______ < low5 else 0.0) - angle1______
+    v79 = angle1_______ + (whole_turn if angle1_______ < low5 else 0.0)
+    v80 = (whole_turn if -angle1_______ < low5 else 0.0) - angle1_______
+    v81 = v73 < low5 or high5 < v73
+    v82 = v74 < low5 or high5 < v74
+    v83 = v75 < low5 or high5 < v75
+    v84 = v76 < low5 or high5 < v76
+    v85 = v77 < low5 or high5 < v77
+    v86 = v78 < low5 or high5 < v78
+    v87 = v79 < low5 or high5 < v79
+    v88 = v80 < low5 or high5 < v80
+    q5_ppp = angle1____ if v81 else v73
+    q5_ppm = -angle1____ if v82 else v74
+    q5_pmp = angle1_____ if v83 else v75
+    q5_pmm = -angle1_____ if v84 else v76
+    q5_mpp = angle1______ if v85 else v77
+    q5_mpm = -angle1______ if v86 else v78
+    q5_mmp = angle1_______ if v87 else v79
+    q5_mmm = -angle1_______ if v88 else v80
+    q1_ppp = v10 + (v45 + (m4 if v45 <= -half_turn else 0.0))
+    q1_mpp = v10 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+    q3_ppp = v1 + (q3__p if v71 else v69)
+    q3_pmp = v1 + (q3__m if v72 else v70)
+    v89 = v65 or v71
+    v90 = v66 or v72
+    v91 = v67 or v71
+    v92 = v68 or v72
+    outside_ppp = v81 or v89
+    outside_ppm = v82 or v89
+    outside_pmp = v83 or v90
+    outside_pmm = v84 or v90
+    outside_mpp = v85 or v91
+    outside_mpm = v86 or v91
+    outside_mmp = v87 or v92
+    outside_mmm = v88 or v92
+    v93 = v20 <= m1
+    doubt = (
+        v21 <= m1 or v33 <= m2 or (v93 or v32 <= m2 or (v93 or v31 <= m2 or (shortest3_reach <= N3
+        and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free1 or
+        -k3 <= D1 and (free1 or not (k4 < D1))) or (v19 <= m1 or v30 <= m2))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1
+    q[0, 4] = q5_ppp
+    q[0, 5] = q6_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1_
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1__
+    q[4, 4] = q5_mpp
+    q[4, 5] = q6_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1___
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -526,13 +823,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -549,10 +856,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -612,10 +917,432 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [7456, 7488, 7520, 7552, 7584, 7616],
+    [7456, 7488, 7520, 7648, 7680, 7712],
+    [7456, 7744, 7776, 7808, 7840, 7872],
+    [7456, 7744, 7776, 7904, 7936, 7968],
+    [8000, 8032, 7520, 8064, 8096, 8128],
+    [8000, 8032, 7520, 8160, 8192, 8224],
+    [8000, 8256, 7776, 8288, 8320, 8352],
+    [8000, 8256, 7776, 8384, 8416, 8448],
+])
+_KINDS = np.array([8480, 8512, 8544, 8576, 8608, 8640, 8672, 8704])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(8736)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = d6 * T23 - T24
+            N1 = X1 * X1 + wy * wy
+            D1 = N1 - k2
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            inverse1 = 1.0 / N1
+            v2 = k1 * X1
+            v3 = k1 * wy
+            v4 = X1 * w1
+            v5 = v3 - v4
+            v6 = v3 + v4
+            c1_p = inverse1 * v5
+            c1_m = inverse1 * v6
+            v7 = wy * w1
+            v8 = v2 + v7
+            v9 = v2 - v7
+            s1_p = inverse1 * v8
+            s1_m = inverse1 * v9
+            Z1_3 = d1 + (d6 * T33 - T34)
+            N3 = D1 + Z1_3 * Z1_3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v10 = w3 - w3
+            v11 = k5 * (N3 - k6)
+            v12 = k7 * v11
+            v13 = k5 * w3
+            c3 = k7 * v13
+            X1_2 = a2 + d4 * v12
+            X2_2 = d4 * c3
+            v14 = Z1_3 * X1_2
+            v15 = w1 * X2_2
+            S2_pp = v14 + v15
+            S2_pm = v14 - v15
+            v16 = w1 * X1_2
+            v17 = Z1_3 * X2_2
+            C2_pp = v16 - v17
+            C2_pm = v16 + v17
+            v18 = S2_pp * S2_pp
+            v19 = v18 + C2_pp * C2_pp
+            v20 = S2_pm * S2_pm + C2_pm * C2_pm
+            v21 = v18 + -C2_pp * -C2_pp
+            factor2_pp = 1.0 / math.sqrt(v19)
+            factor2_pm = 1.0 / math.sqrt(v20)
+            factor2_mm = 1.0 / math.sqrt(v21)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mm = -C2_pp * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mm = S2_pp * factor2_mm
+            c2m3_pp = c3 * c2_pp - v12 * s2_pp
+            v22 = c3 * c2_pm + v12 * s2_pm
+            v23 = c3 * c2_mm + v12 * s2_mm
+            s2m3_pp = v12 * c2_pp + c3 * s2_pp
+            s2m3_pm = v12 * c2_pm - c3 * s2_pm
+            s2m3_mm = v12 * c2_mm - c3 * s2_mm
+            v24 = T13 * c1_p - T23 * s1_p
+            v25 = T13 * c1_m - T23 * s1_m
+            X4_pp = T33 * s2m3_pp - c2m3_pp * v24
+            X4_pm = T33 * s2m3_pm + v22 * v24
+            X4_mp = T33 * -s2m3_pm + v22 * v25
+            X4_mm = T33 * s2m3_mm + v23 * v25
+            v26 = T23 * c1_p + T13 * s1_p
+            v27 = T23 * c1_m + T13 * s1_m
+            v28 = v26 * v26
+            v29 = v27 * v27
+            v30 = v28 + X4_pp * X4_pp
+            v31 = v28 + X4_pm * X4_pm
+            v32 = v29 + X4_mp * X4_mp
+            v33 = v29 + X4_mm * X4_mm
+            v34 = math.copysign(half_turn, -v26) * h1
+            v35 = math.copysign(half_turn, -v27) * h1
+            v36 = T33 * v22
+            v37 = c1_p * T22 + s1_p * T12
+            v38 = c1_m * T22 + s1_m * T12
+            v39 = c1_p * T12 - s1_p * T22
+            v40 = c1_m * T12 - s1_m * T22
+            v41 = c1_p * T21 + s1_p * T11
+            v42 = c1_m * T21 + s1_m * T11
+            v43 = c1_p * T11 - s1_p * T21
+            v44 = c1_m * T11 - s1_m * T21
+            s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31)
+            s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41
+            s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42
+            s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42
+            v93 = v20 <= m1
+            doubt = (
+                v21 <= m1 or v33 <= m2 or (v93 or v32 <= m2 or (v93 or v31 <= m2 or (shortest3_reach
+                <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+                longest3_apart) or (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v19 <= m1
+                or v30 <= m2))))
+            )
+            work[3200 + k] = v1
+            work[3232 + k] = v10
+            work[2592 + k] = v11
+            work[3264 + k] = v34
+            work[3296 + k] = v35
+            work[640 + k] = s6_pp
+            work[1024 + k] = s6_pm
+            work[864 + k] = s6_mp
+            work[1280 + k] = s6_mm
+            work[3328 + k] = doubt
+            work[3360 + k] = -v26
+            work[3392 + k] = -v26
+            work[3424 + k] = -v27
+            work[3456 + k] = -v27
+            work[3488 + k] = -math.sqrt(v30)
+            work[3520 + k] = -math.sqrt(v31)
+            work[3552 + k] = -math.sqrt(v32)
+            work[3584 + k] = -math.sqrt(v33)
+            work[3616 + k] = v8
+            work[3648 + k] = v9
+            work[3680 + k] = S2_pp
+            work[3712 + k] = S2_pm
+            work[3744 + k] = S2_pm
+            work[3776 + k] = S2_pp
+            work[3808 + k] = -v11
+            work[3840 + k] = s6_pp
+            work[3872 + k] = s6_pm
+            work[3904 + k] = s6_mp
+            work[3936 + k] = s6_mm
+            work[3968 + k] = -X4_pp
+            work[4000 + k] = -X4_pm
+            work[4032 + k] = -X4_mp
+            work[4064 + k] = -X4_mm
+            work[4096 + k] = -(T33 * c2m3_pp + s2m3_pp * v24)
+            work[4128 + k] = v36 - s2m3_pm * v24
+            work[4160 + k] = v36 - -s2m3_pm * v25
+            work[4192 + k] = T33 * v23 - s2m3_mm * v25
+            work[4224 + k] = v5
+            work[4256 + k] = v6
+            work[4288 + k] = C2_pp
+            work[4320 + k] = C2_pm
+            work[4352 + k] = -C2_pm
+            work[4384 + k] = -C2_pp
+            work[4416 + k] = v13
+            work[4448 + k] = v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37
+            work[4480 + k] = X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32)
+            work[4512 + k] = X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32)
+            work[4544 + k] = X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32)
+        for k in range(3360, 3968):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            s6_pp = work[640 + k]
+            s6_mp = work[864 + k]
+            s6_pm = work[1024 + k]
+            s6_mm = work[1280 + k]
+            v11 = work[2592 + k]
+            v1 = work[3200 + k]
+            v10 = work[3232 + k]
+            v34 = work[3264 + k]
+            v35 = work[3296 + k]
+            doubt = work[3328 + k] != 0.0
+            angle1 = work[3360 + k]
+            angle1_ = work[3392 + k]
+            angle1__ = work[3424 + k]
+            angle1___ = work[3456 + k]
+            angle1____ = work[3488 + k]
+            angle1_____ = work[3520 + k]
+            angle1______ = work[3552 + k]
+            angle1_______ = work[3584 + k]
+            angle1________ = work[3616 + k]
+            angle1_________ = work[3648 + k]
+            angle1__________ = work[3680 + k]
+            angle1___________ = work[3712 + k]
+            angle1____________ = work[3744 + k]
+            angle1_____________ = work[3776 + k]
+            angle1______________ = work[3808 + k]
+            angle1_______________ = work[3840 + k]
+            angle1________________ = work[3872 + k]
+            angle1_________________ = work[3904 + k]
+            angle1__________________ = work[3936 + k]
+            q4_ppm = angle1 - v34
+            q4_pmm = angle1_ - v34
+            q4_mpm = angle1__ - v35
+            q4_mmm = angle1___ - v35
+            v45 = angle1________ - offset1
+            v46 = angle1_________ - offset1
+            v47 = angle1__________ - offset2
+            v48 = angle1___________ - offset2
+            v49 = angle1____________ - offset2
+            v50 = angle1_____________ - offset2
+            q2__pp = v47 + (m4 if v47 <= -half_turn else 0.0)
+            q2__pm = v48 + (m4 if v48 <= -half_turn else 0.0)
+            q2__mp = v49 + (m4 if v49 <= -half_turn else 0.0)
+            q2__mm = v50 + (m4 if v50 <= -half_turn else 0.0)
+            v51 = angle1______________ - offset3
+            v52 = h1 * math.copysign(half_turn, -v11) - angle1______________ - offset3
+            q3__p = v51 + (m4 if v51 <= -half_turn else 0.0)
+            q3__m = v52 + (m4 if v52 <= -half_turn else 0.0)
+            v53 = angle1_______________ - offset6
+            v54 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v55 = angle1________________ - offset6
+            v56 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v57 = angle1_________________ - offset6
+            v58 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v59 = angle1__________________ - offset6
+            v60 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v53 - (m4 if half_turn < v53 else 0.0)
+            q6_ppm = v54 - (m4 if half_turn < v54 else 0.0)
+            q6_pmp = v55 - (m4 if half_turn < v55 else 0.0)
+            q6_pmm = v56 - (m4 if half_turn < v56 else 0.0)
+            q6_mpp = v57 - (m4 if half_turn < v57 else 0.0)
+            q6_mpm = v58 - (m4 if half_turn < v58 else 0.0)
+            q6_mmp = v59 - (m4 if half_turn < v59 else 0.0)
+            q6_mmm = v60 - (m4 if half_turn < v60 else 0.0)
+            v61 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
+            v62 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
+            v63 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
+            v64 = q2__mm + (whole_turn if q2__mm < low2 else 0.0)
+            v65 = v61 < low2 or high2 < v61
+            v66 = v62 < low2 or high2 < v62
+            v67 = v63 < low2 or high2 < v63
+            v68 = v64 < low2 or high2 < v64
+            q2_ppp = q2__pp if v65 else v61
+            q2_pmp = q2__pm if v66 else v62
+            q2_mpp = q2__mp if v67 else v63
+            q2_mmp = q2__mm if v68 else v64
+            v69 = q3__p + (whole_turn if q3__p < low3 else 0.0)
+            v70 = q3__m + (whole_turn if q3__m < low3 else 0.0)
+            v71 = v69 < low3 or high3 < v69
+            v72 = v70 < low3 or high3 < v70
+            v73 = angle1____ + (whole_turn if angle1____ < low5 else 0.0)
+            v74 = (whole_turn if -angle1____ < low5 else 0.0) - angle1____
+            v75 = angle1_____ + (whole_turn if angle1_____ < low5 else 0.0)
+            v76 = (whole_turn if -angle1_____ < low5 else 0.0) - angle1_____
+            v77 = angle1______ + (whole_turn if angle1______ < low5 else 0.0)
+            v78 = (whole_turn if -angle1______ < low5 else 0.0) - angle1______
+            v79 = angle1_______ + (whole_turn if angle1_______ < low5 else 0.0)
+            v80 = (whole_turn if -angle1_______ < low5 else 0.0) - angle1_______
+            v81 = v73 < low5 or high5 < v73
+            v82 = v74 < low5 or high5 < v74
+            v83 = v75 < low5 or high5 < v75
+            v84 = v76 < low5 or high5 < v76
+            v85 = v77 < low5 or high5 < v77
+            v86 = v78 < low5 or high5 < v78
+            v87 = v79 < low5 or high5 < v79
+            v88 = v80 < low5 or high5 < v80
+            q5_ppp = angle1____ if v81 else v73
+            q5_ppm = -angle1____ if v82 else v74
+            q5_pmp = angle1_____ if v83 else v75
+            q5_pmm = -angle1_____ if v84 else v76
+            q5_mpp = angle1______ if v85 else v77
+            q5_mpm = -angle1______ if v86 else v78
+            q5_mmp = angle1_______ if v87 else v79
+            q5_mmm = -angle1_______ if v88 else v80
+            q1_ppp = v10 + (v45 + (m4 if v45 <= -half_turn else 0.0))
+            q1_mpp = v10 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+            q3_ppp = v1 + (q3__p if v71 else v69)
+            q3_pmp = v1 + (q3__m if v72 else v70)
+            v89 = v65 or v71
+            v90 = v66 or v72
+            v91 = v67 or v71
+            v92 = v68 or v72
+            outside_ppp = v81 or v89
+            outside_ppm = v82 or v89
+            outside_pmp = v83 or v90
+            outside_pmm = v84 or v90
+            outside_mpp = v85 or v91
+            outside_mpm = v86 or v91
+            outside_mmp = v87 or v92
+            outside_mmm = v88 or v92
+            _7456 = q1_ppp
+            work[7456 + k] = _7456
+            _7488 = q2_ppp
+            work[7488 + k] = _7488
+            _7520 = q3_ppp
+            work[7520 + k] = _7520
+            _7552 = angle1
+            work[7552 + k] = _7552
+            _7584 = q5_ppp
+            work[7584 + k] = _7584
+            _7616 = q6_ppp
+            work[7616 + k] = _7616
+            _7648 = q4_ppm
+            work[7648 + k] = _7648
+            _7680 = q5_ppm
+            work[7680 + k] = _7680
+            _7712 = q6_ppm
+            work[7712 + k] = _7712
+            _7744 = q2_pmp
+            work[7744 + k] = _7744
+            _7776 = q3_pmp
+            work[7776 + k] = _7776
+            _7808 = angle1_
+            work[7808 + k] = _7808
+            _7840 = q5_pmp
+            work[7840 + k] = _7840
+            _7872 = q6_pmp
+            work[7872 + k] = _7872
+            _7904 = q4_pmm
+            work[7904 + k] = _7904
+            _7936 = q5_pmm
+            work[7936 + k] = _7936
+            _7968 = q6_pmm
+            work[7968 + k] = _7968
+            _8000 = q1_mpp
+            work[8000 + k] = _8000
+            _8032 = q2_mpp
+            work[8032 + k] = _8032
+            _8064 = angle1__
+            work[8064 + k] = _8064
+            _8096 = q5_mpp
+            work[8096 + k] = _8096
+            _8128 = q6_mpp
+            work[8128 + k] = _8128
+            _8160 = q4_mpm
+            work[8160 + k] = _8160
+            _8192 = q5_mpm
+            work[8192 + k] = _8192
+            _8224 = q6_mpm
+            work[8224 + k] = _8224
+            _8256 = q2_mmp
+            work[8256 + k] = _8256
+            _8288 = angle1___
+            work[8288 + k] = _8288
+            _8320 = q5_mmp
+            work[8320 + k] = _8320
+            _8352 = q6_mmp
+            work[8352 + k] = _8352
+            _8384 = q4_mmm
+            work[8384 + k] = _8384
+            _8416 = q5_mmm
+            work[8416 + k] = _8416
+            _8448 = q6_mmm
+            work[8448 + k] = _8448
+            work[8480 + k] = (
+                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[8512 + k] = (
+                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[8544 + k] = (
+                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[8576 + k] = (
+                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[8608 + k] = (
+                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[8640 + k] = (
+                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[8672 + k] = (
+                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[8704 + k] = (
+                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -626,14 +1353,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

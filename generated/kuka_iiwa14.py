@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "kuka_iiwa14"
 METHOD = "closed form"
@@ -76,6 +77,25 @@ k2 = 0.72  # 2 * d1 [m]
 k3 = -0.2068  # d1^2 - (d3^2 + d5^2) [m^2]
 k4 = 0.11289600000000001  # (2 * d5 * d3)^2 [m^4]
 k5 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.9670597293903604  # lowest value of joint 1
+high1 = 2.9670597293903604  # highest value of joint 1
+low2 = -2.0943951033931953  # lowest value of joint 2
+high2 = 2.0943951033931953  # highest value of joint 2
+low3 = -2.9670597293903604  # lowest value of joint 3
+high3 = 2.9670597293903604  # highest value of joint 3
+low4 = -2.0943951033931953  # lowest value of joint 4
+high4 = 2.0943951033931953  # highest value of joint 4
+low5 = -2.9670597293903604  # lowest value of joint 5
+high5 = 2.9670597293903604  # highest value of joint 5
+low6 = -2.0943951033931953  # lowest value of joint 6
+high6 = 2.0943951033931953  # highest value of joint 6
+low7 = -3.054326191990077  # lowest value of joint 7
+high7 = 3.054326191990077  # highest value of joint 7
+m1 = 2.909194164496e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -92,7 +112,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -122,7 +142,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -200,6 +220,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -554,15 +577,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, q_free, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T, q_free)
+def _whole(pose, q_free, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(7):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, q_free, seed, q, status)
     count = 0
     for row in range(8):
@@ -576,6 +596,407 @@ def _ik(T, q_free, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q_free, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    c3 = math.cos(q_free[0])
+    s3 = math.sin(q_free[0])
+
+    # theta4, type 2: the squared length of column 4 of U1 A7^-1
+    wx = T14 - d7 * T13
+    wy = T24 - d7 * T23
+    wz = T34 - d7 * T33
+    v1 = wy * wy
+    Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)))
+    D4 = k4 - Z4 * Z4
+    v2 = 2.0 * abs(Z4)
+    w4 = math.sqrt(D4)
+    v3 = k1 * Z4
+    v4 = k5 * v3
+    v5 = k1 * w4
+    v6 = k5 * v5
+
+    # theta1, type 2: U1 A7^-1 [3, 4]
+    Z1 = d5 * (s3 * v6)
+    N1 = v1 + -wx * -wx
+    D1 = N1 - Z1 * Z1
+    free1 = N1 <= free_limit_squared2
+    v7 = 2.0 * abs(Z1)
+    w1 = math.sqrt(D1)
+    v8 = w1 - w1
+    inverse1 = 1.0 / N1
+    v9 = Z1 * -wx
+    v10 = wy * Z1
+    v11 = -wx * w1
+    v12 = v10 - v11
+    v13 = v10 + v11
+    c1_pp = inverse1 * v12
+    c1_pm = inverse1 * v13
+    c1_mm = inverse1 * -v12
+    v14 = wy * w1
+    v15 = v9 + v14
+    v16 = v9 - v14
+    s1_pp = inverse1 * v15
+    s1_pm = inverse1 * v16
+    s1_mp = inverse1 * -v16
+
+    # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
+    v17 = d5 * (c3 * v6)
+    X2_2 = d3 + d5 * v4
+    Z1_2 = wz - d1
+    v18 = v17 * Z1_2
+    v19 = w1 * X2_2
+    S2_pp = v19 - v18
+    S2_mp = v18 + v19
+    v20 = X2_2 * Z1_2
+    v21 = w1 * v17
+    v22 = v20 + v21
+    v23 = v20 - v21
+    v24 = v22 * v22
+    v25 = S2_pp * S2_pp + v24
+    v26 = S2_mp * S2_mp + v23 * v23
+    v27 = v24 + -S2_pp * -S2_pp
+    factor2_pp = 1.0 / math.sqrt(v25)
+    factor2_pm = 1.0 / math.sqrt(v26)
+    factor2_mm = 1.0 / math.sqrt(v27)
+    v28 = v22 * factor2_pp
+    v29 = v23 * factor2_pm
+    v30 = v22 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_mp = S2_mp * factor2_pm
+    s2_mm = -S2_pp * factor2_mm
+
+    # theta5, type 2: U5[3, 3]
+    v31 = c3 * T13
+    v32 = v4 * v31
+    v33 = c3 * T23
+    v34 = v4 * v33
+    v35 = T33 * v6
+    v36 = T13 * v6
+    v37 = T23 * v6
+    v38 = c3 * T33
+    v39 = v4 * v38
+    v40 = T13 * s1_pp
+    v41 = v40 - T23 * c1_pp
+    v42 = T23 * c1_pm
+    v43 = T13 * s1_pm - v42
+    v44 = v42 + T13 * s1_mp
+    v45 = v40 + T23 * c1_mm
+    v46 = s3 * v41
+    v47 = s3 * v43
+    v48 = s3 * v44
+    v49 = s3 * v45
+    v50 = s1_pp * v34
+    v51 = s1_pp * v37
+    X5_pp = v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 + v51)))
+    v52 = c1_pm * v32
+    v53 = c1_pm * v36
+    X5_pm = v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm * v37)))
+    X5_mp = v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 - v52)))
+    X5_mm = s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4 * v49
+    v54 = s3 * T33
+    v55 = T23 * s1_pp
+    Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41
+    v56 = s2_mp * v54
+    v57 = T13 * c1_pm
+    v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43
+    Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44
+    Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45
+    v59 = X5_pp * X5_pp + Y5_pp * Y5_pp
+    v60 = X5_pm * X5_pm + v58 * v58
+    v61 = X5_mp * X5_mp + Y5_mp * Y5_mp
+    v62 = X5_mm * X5_mm + Y5_mm * Y5_mm
+    angle1 = _atan2(Y5_pp, -X5_pp)
+    angle1_ = _atan2(-v58, -X5_pm)
+    angle1__ = _atan2(Y5_mp, -X5_mp)
+    angle1___ = _atan2(Y5_mm, -X5_mm)
+    q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
+    q5_pmm = angle1_ - math.copysign(half_turn, -v58) * h1
+    q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
+    q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
+
+    # theta6, type 3: U5[2, 3] and U5[1, 3]
+    v63 = v6 * v31
+    v64 = v6 * v33
+    v65 = T33 * v4
+    v66 = T13 * v4
+    v67 = T23 * v4
+    v68 = v6 * v38
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
+    v69 = s3 * T32
+    v70 = s1_pp * T12
+    v71 = v70 - c1_pp * T22
+    v72 = c1_pm * T22
+    v73 = s1_pm * T12 - v72
+    v74 = v72 + s1_mp * T12
+    v75 = v70 + c1_mm * T22
+    v76 = v4 * (c3 * T12)
+    v77 = v4 * (c3 * T22)
+    v78 = v6 * T32
+    v79 = v6 * T12
+    v80 = v6 * T22
+    v81 = v4 * (c3 * T32)
+    v82 = s3 * T31
+    v83 = s1_pp * T11
+    v84 = v83 - c1_pp * T21
+    v85 = c1_pm * T21
+    v86 = s1_pm * T11 - v85
+    v87 = v85 + s1_mp * T11
+    v88 = v83 + c1_mm * T21
+    v89 = v4 * (c3 * T11)
+    v90 = v4 * (c3 * T21)
+    v91 = v6 * T31
+    v92 = v6 * T11
+    v93 = v6 * T21
+    v94 = v4 * (c3 * T31)
+    v95 = s1_pp * T21
+    v96 = s1_pp * v90
+    v97 = s1_pp * v93
+    v98 = s1_pp * T22
+    v99 = s1_pp * v77
+    v100 = s1_pp * v80
+    angle1____ = (
+        _atan2(-(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp *
+        (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 *
+        v84))), -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98)))) + Y5_pp *
+        (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 * (s3 *
+        v71))))
+    )
+    v101 = s2_mp * v82
+    v102 = c1_pm * T11
+    v103 = c1_pm * v89
+    v104 = c1_pm * v92
+    v105 = (
+        v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm * v93)) + v4 * (s3
+        * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))))
+    )
+    v106 = s2_mp * v69
+    v107 = c1_pm * T12
+    v108 = c1_pm * v76
+    v109 = c1_pm * v79
+    angle1_____ = (
+        _atan2(v105, v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp * (v81 + (v109 + s1_pm *
+        v80)) + v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 * (v107 + s1_pm * T22)))))
+    )
+    angle1______ = (
+        _atan2(-(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp *
+        (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))),
+        -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 - v107)))) + Y5_mp * (s2_mp * (v81 +
+        (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 - v108)) + v4 * (s3 * v74))))
+    )
+    v110 = (
+        X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm * (s2_mm *
+        (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3 * v88))
+    )
+    angle1_______ = (
+        _atan2(v110, X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 * (c1_mm * T12 - v98)))) - Y5_mm *
+        (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm * v76 - v99)) - v4 * (s3 *
+        v75)))
+    )
+    q7_ppm = (
+        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 *
+        (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp
+        * v92 + v97)) + v4 * (s3 * v84))))
+    )
+    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v105)
+    q7_mpm = (
+        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v87 - (v101 - v29 * (s3 *
+        (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 * (v91 +
+        (s1_mp * v90 - v103)) + v4 * (s3 * v87))))
+    )
+    q7_mmm = angle1_______ - h1 * math.copysign(half_turn, v110)
+
+    # joint values
+    angle1________ = _atan2(v15, v12)
+    v111 = angle1________ - offset1
+    angle1_________ = _atan2(v16, v13)
+    v112 = angle1_________ - offset1
+    angle1__________ = _atan2(-v16, -v13)
+    v113 = angle1__________ - offset1
+    angle1___________ = _atan2(-v15, -v12)
+    v114 = angle1___________ - offset1
+    q1_ppp = v111 + (m4 if v111 <= -half_turn else 0.0)
+    q1_pmp = v112 + (m4 if v112 <= -half_turn else 0.0)
+    q1_mpp = v113 + (m4 if v113 <= -half_turn else 0.0)
+    q1_mmp = v114 + (m4 if v114 <= -half_turn else 0.0)
+    angle1____________ = _atan2(S2_pp, -v22)
+    v115 = angle1____________ - offset2
+    angle1_____________ = _atan2(-S2_mp, -v23)
+    v116 = angle1_____________ - offset2
+    angle1______________ = _atan2(S2_mp, -v23)
+    v117 = angle1______________ - offset2
+    angle1_______________ = _atan2(-S2_pp, -v22)
+    v118 = angle1_______________ - offset2
+    q2_ppp = v115 + (m4 if v115 <= -half_turn else 0.0)
+    q2_pmp = v116 + (m4 if v116 <= -half_turn else 0.0)
+    q2_mpp = v117 + (m4 if v117 <= -half_turn else 0.0)
+    q2_mmp = v118 + (m4 if v118 <= -half_turn else 0.0)
+    angle1________________ = _atan2(-v5, -v3)
+    v119 = angle1________________ - offset4
+    v120 = offset4 + angle1________________
+    q4__p = v119 + (m4 if v119 <= -half_turn else 0.0)
+    q4__m = (m4 if -v120 <= -half_turn else 0.0) - v120
+    v121 = s1_pp * v67
+    v122 = s1_pp * v64
+    angle1_________________ = (
+        _atan2(math.sqrt(v59), v6 * v46 - (s2_pp * (c1_pp * v66 + v121 - v68) + v28 * (v65 + (c1_pp
+        * v63 + v122))))
+    )
+    v123 = c1_pm * v66
+    v124 = c1_pm * v63
+    angle1__________________ = (
+        _atan2(math.sqrt(v60), v6 * v47 - (v29 * (v65 + (v124 + s1_pm * v64)) - s2_mp * (v123 +
+        s1_pm * v67 - v68)))
+    )
+    angle1___________________ = (
+        _atan2(math.sqrt(v61), -(v6 * v48 + (s2_mp * (v68 + (s1_mp * v67 - v123)) + v29 * (v65 +
+        (v124 - s1_mp * v64)))))
+    )
+    angle1____________________ = (
+        _atan2(math.sqrt(v62), v6 * v49 - (s2_mm * (v68 + (c1_mm * v66 - v121)) + v30 * (v65 + (v122
+        - c1_mm * v63))))
+    )
+    v125 = angle1_________________ - offset6
+    v126 = offset6 + angle1_________________
+    v127 = angle1__________________ - offset6
+    v128 = offset6 + angle1__________________
+    v129 = angle1___________________ - offset6
+    v130 = offset6 + angle1___________________
+    v131 = angle1____________________ - offset6
+    v132 = offset6 + angle1____________________
+    q6_ppp = v125 + (m4 if v125 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v126 <= -half_turn else 0.0) - v126
+    q6_pmp = v127 + (m4 if v127 <= -half_turn else 0.0)
+    q6_pmm = (m4 if -v128 <= -half_turn else 0.0) - v128
+    q6_mpp = v129 + (m4 if v129 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v130 <= -half_turn else 0.0) - v130
+    q6_mmp = v131 + (m4 if v131 <= -half_turn else 0.0)
+    q6_mmm = (m4 if -v132 <= -half_turn else 0.0) - v132
+    v133 = q_free[0] < low3 or high3 < q_free[0]
+    v134 = q4__p < low4 or high4 < q4__p
+    v135 = q4__m < low4 or high4 < q4__m
+    q3_ppp = v8 + (q_free[0] + (w4 - w4))
+    q4_ppp = v8 + q4__p
+    q4_mpp = v8 + q4__m
+    v136 = v134 or (v133 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
+    v137 = v134 or (v133 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
+    v138 = v135 or (v133 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
+    v139 = v135 or (v133 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    outside_ppp = (
+        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v136 or
+        (angle1 < low5 or high5 < angle1)))
+    )
+    outside_ppm = (
+        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v136 or (q5_ppm <
+        low5 or high5 < q5_ppm)))
+    )
+    outside_pmp = (
+        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v137 or
+        (angle1_ < low5 or high5 < angle1_)))
+    )
+    outside_pmm = (
+        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v137 or (q5_pmm <
+        low5 or high5 < q5_pmm)))
+    )
+    outside_mpp = (
+        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v138 or
+        (angle1__ < low5 or high5 < angle1__)))
+    )
+    outside_mpm = (
+        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v138 or (q5_mpm <
+        low5 or high5 < q5_mpm)))
+    )
+    outside_mmp = (
+        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v139
+        or (angle1___ < low5 or high5 < angle1___)))
+    )
+    outside_mmm = (
+        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v139 or (q5_mmm <
+        low5 or high5 < q5_mmm)))
+    )
+    v140 = v26 <= m1
+    doubt = (
+        v27 <= m1 or v62 <= m2 or (v140 or v61 <= m2 or (v140 or v60 <= m2 or (-(reach_slack1 *
+        (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v7) < D1)) or
+        (free1 or -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2
+        + v2) < D4)) or (v25 <= m1 or v59 <= m2))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = angle1
+    q[0, 5] = q6_ppp
+    q[0, 6] = angle1____
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppp
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    q[1, 6] = q7_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_pmp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_ppp
+    q[2, 3] = q4_ppp
+    q[2, 4] = angle1_
+    q[2, 5] = q6_pmp
+    q[2, 6] = angle1_____
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_pmp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_ppp
+    q[3, 3] = q4_ppp
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    q[3, 6] = q7_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = q4_mpp
+    q[4, 4] = angle1__
+    q[4, 5] = q6_mpp
+    q[4, 6] = angle1______
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpp
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    q[5, 6] = q7_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mmp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_ppp
+    q[6, 3] = q4_mpp
+    q[6, 4] = angle1___
+    q[6, 5] = q6_mmp
+    q[6, 6] = angle1_______
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mmp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_ppp
+    q[7, 3] = q4_mpp
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    q[7, 6] = q7_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -602,13 +1023,23 @@ def ik_into(T, q_free, q, status, q_seed=None):
         raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
-    if q_seed is None:
-        return _ik(T, q_free, _ZEROS, q, status)
-    if q_seed.shape != (7,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (7,):
         raise ValueError("q_seed must be (7,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_free, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -627,10 +1058,8 @@ def ik_all(T, q_free, q_seed=None):
     q, status = np.empty((8, 7)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
     q_free = _array(q_free, (1,), "q_free")
-    if q_seed is None:
-        ik_into(T, q_free, q, status)
-    else:
-        ik_into(T, q_free, q, status, _array(q_seed, (7,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    ik_into(T, q_free, q, status, seed)
     return q, status
 
 
@@ -691,10 +1120,701 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q_free, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q_free, q, status):
+    seed = np.empty(7)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], q_free[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q_free[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [8800, 8832, 8864, 8896, 8928, 8960, 8992],
+    [8800, 8832, 8864, 8896, 9024, 9056, 9088],
+    [9120, 9152, 8864, 8896, 9184, 9216, 9248],
+    [9120, 9152, 8864, 8896, 9280, 9312, 9344],
+    [9376, 9408, 8864, 9440, 9472, 9504, 9536],
+    [9376, 9408, 8864, 9440, 9568, 9600, 9632],
+    [9664, 9696, 8864, 9440, 9728, 9760, 9792],
+    [9664, 9696, 8864, 9440, 9824, 9856, 9888],
+])
+_KINDS = np.array([9920, 9952, 9984, 10016, 10048, 10080, 10112, 10144])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q_free, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(10176)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+            for i in range(1):
+                work[(16 + i) * 32 + k] = q_free[first + k, i]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+            )
+            exact = miss <= 1e-24
+            work[544 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            given1 = work[512 + k]
+            wx = T14 - d7 * T13
+            wy = T24 - d7 * T23
+            wz = T34 - d7 * T33
+            v1 = wy * wy
+            Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)))
+            D4 = k4 - Z4 * Z4
+            v2 = 2.0 * abs(Z4)
+            w4 = math.sqrt(D4)
+            v3 = k1 * Z4
+            v4 = k5 * v3
+            v5 = k1 * w4
+            v6 = k5 * v5
+            N1 = v1 + -wx * -wx
+            free1 = N1 <= free_limit_squared2
+            inverse1 = 1.0 / N1
+            X2_2 = d3 + d5 * v4
+            Z1_2 = wz - d1
+            v20 = X2_2 * Z1_2
+            v35 = T33 * v6
+            v36 = T13 * v6
+            v37 = T23 * v6
+            v65 = T33 * v4
+            v66 = T13 * v4
+            v67 = T23 * v4
+            v78 = v6 * T32
+            v79 = v6 * T12
+            v80 = v6 * T22
+            v91 = v6 * T31
+            v92 = v6 * T11
+            v93 = v6 * T21
+            v133 = given1 < low3 or high3 < given1
+            work[800 + k] = wx
+            work[608 + k] = wy
+            work[960 + k] = D4
+            work[1024 + k] = v2
+            work[928 + k] = w4
+            work[864 + k] = v4
+            work[640 + k] = v6
+            work[736 + k] = N1
+            work[1056 + k] = free1
+            work[1088 + k] = inverse1
+            work[896 + k] = X2_2
+            work[576 + k] = Z1_2
+            work[1120 + k] = v20
+            work[1152 + k] = v35
+            work[1184 + k] = v36
+            work[1216 + k] = v37
+            work[1248 + k] = v65
+            work[1280 + k] = v66
+            work[1312 + k] = v67
+            work[1344 + k] = v78
+            work[1376 + k] = v79
+            work[1408 + k] = v80
+            work[1440 + k] = v91
+            work[1472 + k] = v92
+            work[1504 + k] = v93
+            work[1536 + k] = v133
+            work[1568 + k] = given1
+            work[1600 + k] = given1
+            work[1632 + k] = -v5
+            work[1664 + k] = -v3
+        for k in range(1568, 1600):
+            work[k] = math.sin(work[k])
+        for k in range(1600, 1632):
+            work[k] = math.cos(work[k])
+        for k in range(1632, 1664):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            given1 = work[512 + k]
+            Z1_2 = work[576 + k]
+            wy = work[608 + k]
+            v6 = work[640 + k]
+            N1 = work[736 + k]
+            wx = work[800 + k]
+            v4 = work[864 + k]
+            X2_2 = work[896 + k]
+            w4 = work[928 + k]
+            D4 = work[960 + k]
+            v2 = work[1024 + k]
+            free1 = work[1056 + k] != 0.0
+            inverse1 = work[1088 + k]
+            v20 = work[1120 + k]
+            v35 = work[1152 + k]
+            v36 = work[1184 + k]
+            v37 = work[1216 + k]
+            v65 = work[1248 + k]
+            v66 = work[1280 + k]
+            v67 = work[1312 + k]
+            v78 = work[1344 + k]
+            v79 = work[1376 + k]
+            v80 = work[1408 + k]
+            v91 = work[1440 + k]
+            v92 = work[1472 + k]
+            v93 = work[1504 + k]
+            s3 = work[1568 + k]
+            c3 = work[1600 + k]
+            angle1________________ = work[1632 + k]
+            Z1 = d5 * (s3 * v6)
+            D1 = N1 - Z1 * Z1
+            v7 = 2.0 * abs(Z1)
+            w1 = math.sqrt(D1)
+            v8 = w1 - w1
+            v9 = Z1 * -wx
+            v10 = wy * Z1
+            v11 = -wx * w1
+            v12 = v10 - v11
+            v13 = v10 + v11
+            c1_pp = inverse1 * v12
+            c1_pm = inverse1 * v13
+            c1_mm = inverse1 * -v12
+            v14 = wy * w1
+            v15 = v9 + v14
+            v16 = v9 - v14
+            s1_pp = inverse1 * v15
+            s1_pm = inverse1 * v16
+            s1_mp = inverse1 * -v16
+            v17 = d5 * (c3 * v6)
+            v18 = v17 * Z1_2
+            v19 = w1 * X2_2
+            S2_pp = v19 - v18
+            S2_mp = v18 + v19
+            v21 = w1 * v17
+            v22 = v20 + v21
+            v23 = v20 - v21
+            v24 = v22 * v22
+            v25 = S2_pp * S2_pp + v24
+            v26 = S2_mp * S2_mp + v23 * v23
+            v27 = v24 + -S2_pp * -S2_pp
+            factor2_pp = 1.0 / math.sqrt(v25)
+            factor2_pm = 1.0 / math.sqrt(v26)
+            factor2_mm = 1.0 / math.sqrt(v27)
+            v28 = v22 * factor2_pp
+            v29 = v23 * factor2_pm
+            v30 = v22 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_mp = S2_mp * factor2_pm
+            s2_mm = -S2_pp * factor2_mm
+            v31 = c3 * T13
+            v32 = v4 * v31
+            v33 = c3 * T23
+            v34 = v4 * v33
+            v38 = c3 * T33
+            v39 = v4 * v38
+            v40 = T13 * s1_pp
+            v41 = v40 - T23 * c1_pp
+            v42 = T23 * c1_pm
+            v43 = T13 * s1_pm - v42
+            v44 = v42 + T13 * s1_mp
+            v45 = v40 + T23 * c1_mm
+            v46 = s3 * v41
+            v47 = s3 * v43
+            v48 = s3 * v44
+            v49 = s3 * v45
+            v50 = s1_pp * v34
+            v51 = s1_pp * v37
+            X5_pp = (
+                v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 + v51)))
+            )
+            v52 = c1_pm * v32
+            v53 = c1_pm * v36
+            X5_pm = (
+                v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm * v37)))
+            )
+            X5_mp = (
+                v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 - v52)))
+            )
+            X5_mm = (
+                s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4 * v49
+            )
+            v54 = s3 * T33
+            v55 = T23 * s1_pp
+            Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41
+            v56 = s2_mp * v54
+            v57 = T13 * c1_pm
+            v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43
+            Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44
+            Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45
+            v59 = X5_pp * X5_pp + Y5_pp * Y5_pp
+            v60 = X5_pm * X5_pm + v58 * v58
+            v61 = X5_mp * X5_mp + Y5_mp * Y5_mp
+            v62 = X5_mm * X5_mm + Y5_mm * Y5_mm
+            v63 = v6 * v31
+            v64 = v6 * v33
+            v68 = v6 * v38
+            v69 = s3 * T32
+            v70 = s1_pp * T12
+            v71 = v70 - c1_pp * T22
+            v72 = c1_pm * T22
+            v73 = s1_pm * T12 - v72
+            v74 = v72 + s1_mp * T12
+            v75 = v70 + c1_mm * T22
+            v76 = v4 * (c3 * T12)
+            v77 = v4 * (c3 * T22)
+            v81 = v4 * (c3 * T32)
+            v82 = s3 * T31
+            v83 = s1_pp * T11
+            v84 = v83 - c1_pp * T21
+            v85 = c1_pm * T21
+            v86 = s1_pm * T11 - v85
+            v87 = v85 + s1_mp * T11
+            v88 = v83 + c1_mm * T21
+            v89 = v4 * (c3 * T11)
+            v90 = v4 * (c3 * T21)
+            v94 = v4 * (c3 * T31)
+            v95 = s1_pp * T21
+            v96 = s1_pp * v90
+            v97 = s1_pp * v93
+            v98 = s1_pp * T22
+            v99 = s1_pp * v77
+            v100 = s1_pp * v80
+            v101 = s2_mp * v82
+            v102 = c1_pm * T11
+            v103 = c1_pm * v89
+            v104 = c1_pm * v92
+            v105 = (
+                v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm * v93)) +
+                v4 * (s3 * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))))
+            )
+            v106 = s2_mp * v69
+            v107 = c1_pm * T12
+            v108 = c1_pm * v76
+            v109 = c1_pm * v79
+            v110 = (
+                X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm *
+                (s2_mm * (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3
+                * v88))
+            )
+            v119 = angle1________________ - offset4
+            v120 = offset4 + angle1________________
+            q4__p = v119 + (m4 if v119 <= -half_turn else 0.0)
+            q4__m = (m4 if -v120 <= -half_turn else 0.0) - v120
+            v121 = s1_pp * v67
+            v122 = s1_pp * v64
+            v123 = c1_pm * v66
+            v124 = c1_pm * v63
+            v134 = q4__p < low4 or high4 < q4__p
+            v135 = q4__m < low4 or high4 < q4__m
+            q3_ppp = v8 + (given1 + (w4 - w4))
+            q4_ppp = v8 + q4__p
+            q4_mpp = v8 + q4__m
+            v140 = v26 <= m1
+            doubt = (
+                v27 <= m1 or v62 <= m2 or (v140 or v61 <= m2 or (v140 or v60 <= m2 or
+                (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
+                (merge_slack1 + v7) < D1)) or (free1 or -(reach_slack2 * (reach_slack2 + v2)) <= D4
+                and not (merge_slack2 * (merge_slack2 + v2) < D4)) or (v25 <= m1 or v59 <= m2))))
+            )
+            work[2560 + k] = c1_pp
+            work[3328 + k] = s1_mp
+            work[2080 + k] = v28
+            work[3456 + k] = v29
+            work[1760 + k] = s2_pp
+            work[4096 + k] = s2_mp
+            work[1856 + k] = X5_pp
+            work[5088 + k] = X5_mp
+            work[2944 + k] = Y5_pp
+            work[2112 + k] = v58
+            work[3744 + k] = Y5_mp
+            work[2432 + k] = Y5_mm
+            work[3520 + k] = v82
+            work[4160 + k] = v84
+            work[5216 + k] = v87
+            work[2336 + k] = v89
+            work[5120 + k] = v90
+            work[4480 + k] = v94
+            work[2144 + k] = v95
+            work[2368 + k] = v96
+            work[3776 + k] = v97
+            work[4640 + k] = v101
+            work[2624 + k] = v102
+            work[4576 + k] = v103
+            work[3488 + k] = v104
+            work[4704 + k] = v105
+            work[4032 + k] = v110
+            work[5664 + k] = v134
+            work[5696 + k] = v135
+            work[5728 + k] = q3_ppp
+            work[5760 + k] = q4_ppp
+            work[5792 + k] = q4_mpp
+            work[5824 + k] = doubt
+            work[5856 + k] = Y5_pp
+            work[5888 + k] = -v58
+            work[5920 + k] = Y5_mp
+            work[5952 + k] = Y5_mm
+            work[5984 + k] = (
+                -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp *
+                (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3
+                * v84)))
+            )
+            work[6016 + k] = v105
+            work[6048 + k] = (
+                -(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp *
+                (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 *
+                v87)))
+            )
+            work[6080 + k] = v110
+            work[6112 + k] = v15
+            work[6144 + k] = v16
+            work[6176 + k] = -v16
+            work[6208 + k] = -v15
+            work[6240 + k] = S2_pp
+            work[6272 + k] = -S2_mp
+            work[6304 + k] = S2_mp
+            work[6336 + k] = -S2_pp
+            work[6368 + k] = math.sqrt(v59)
+            work[6400 + k] = math.sqrt(v60)
+            work[6432 + k] = math.sqrt(v61)
+            work[6464 + k] = math.sqrt(v62)
+            work[6496 + k] = -X5_pp
+            work[6528 + k] = -X5_pm
+            work[6560 + k] = -X5_mp
+            work[6592 + k] = -X5_mm
+            work[6624 + k] = (
+                -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98)))) + Y5_pp *
+                (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 * (s3
+                * v71)))
+            )
+            work[6656 + k] = (
+                v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp * (v81 + (v109 + s1_pm * v80)) +
+                v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 * (v107 + s1_pm * T22))))
+            )
+            work[6688 + k] = (
+                -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 - v107)))) + Y5_mp * (s2_mp *
+                (v81 + (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 - v108)) + v4 * (s3 *
+                v74)))
+            )
+            work[6720 + k] = (
+                X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 * (c1_mm * T12 - v98)))) - Y5_mm *
+                (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm * v76 - v99)) - v4 * (s3
+                * v75))
+            )
+            work[6752 + k] = v12
+            work[6784 + k] = v13
+            work[6816 + k] = -v13
+            work[6848 + k] = -v12
+            work[6880 + k] = -v22
+            work[6912 + k] = -v23
+            work[6944 + k] = -v23
+            work[6976 + k] = -v22
+            work[7008 + k] = (
+                v6 * v46 - (s2_pp * (c1_pp * v66 + v121 - v68) + v28 * (v65 + (c1_pp * v63 + v122)))
+            )
+            work[7040 + k] = (
+                v6 * v47 - (v29 * (v65 + (v124 + s1_pm * v64)) - s2_mp * (v123 + s1_pm * v67 - v68))
+            )
+            work[7072 + k] = (
+                -(v6 * v48 + (s2_mp * (v68 + (s1_mp * v67 - v123)) + v29 * (v65 + (v124 - s1_mp *
+                v64))))
+            )
+            work[7104 + k] = (
+                v6 * v49 - (s2_mm * (v68 + (c1_mm * v66 - v121)) + v30 * (v65 + (v122 - c1_mm *
+                v63)))
+            )
+        for k in range(5856, 6496):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T21 = work[128 + k]
+            v4 = work[864 + k]
+            v91 = work[1440 + k]
+            v92 = work[1472 + k]
+            v93 = work[1504 + k]
+            v133 = work[1536 + k] != 0.0
+            s3 = work[1568 + k]
+            c3 = work[1600 + k]
+            s2_pp = work[1760 + k]
+            X5_pp = work[1856 + k]
+            v28 = work[2080 + k]
+            v58 = work[2112 + k]
+            v95 = work[2144 + k]
+            v89 = work[2336 + k]
+            v96 = work[2368 + k]
+            Y5_mm = work[2432 + k]
+            c1_pp = work[2560 + k]
+            v102 = work[2624 + k]
+            Y5_pp = work[2944 + k]
+            s1_mp = work[3328 + k]
+            v29 = work[3456 + k]
+            v104 = work[3488 + k]
+            v82 = work[3520 + k]
+            Y5_mp = work[3744 + k]
+            v97 = work[3776 + k]
+            v110 = work[4032 + k]
+            s2_mp = work[4096 + k]
+            v84 = work[4160 + k]
+            v94 = work[4480 + k]
+            v103 = work[4576 + k]
+            v101 = work[4640 + k]
+            v105 = work[4704 + k]
+            X5_mp = work[5088 + k]
+            v90 = work[5120 + k]
+            v87 = work[5216 + k]
+            v134 = work[5664 + k] != 0.0
+            v135 = work[5696 + k] != 0.0
+            q3_ppp = work[5728 + k]
+            q4_ppp = work[5760 + k]
+            q4_mpp = work[5792 + k]
+            doubt = work[5824 + k] != 0.0
+            angle1 = work[5856 + k]
+            angle1_ = work[5888 + k]
+            angle1__ = work[5920 + k]
+            angle1___ = work[5952 + k]
+            angle1____ = work[5984 + k]
+            angle1_____ = work[6016 + k]
+            angle1______ = work[6048 + k]
+            angle1_______ = work[6080 + k]
+            angle1________ = work[6112 + k]
+            angle1_________ = work[6144 + k]
+            angle1__________ = work[6176 + k]
+            angle1___________ = work[6208 + k]
+            angle1____________ = work[6240 + k]
+            angle1_____________ = work[6272 + k]
+            angle1______________ = work[6304 + k]
+            angle1_______________ = work[6336 + k]
+            angle1_________________ = work[6368 + k]
+            angle1__________________ = work[6400 + k]
+            angle1___________________ = work[6432 + k]
+            angle1____________________ = work[6464 + k]
+            q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
+            q5_pmm = angle1_ - math.copysign(half_turn, -v58) * h1
+            q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
+            q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
+            q7_ppm = (
+                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28
+                * (s3 * (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp
+                * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 * v84))))
+            )
+            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v105)
+            q7_mpm = (
+                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v87 - (v101 - v29 * (s3
+                * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 *
+                (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))))
+            )
+            q7_mmm = angle1_______ - h1 * math.copysign(half_turn, v110)
+            v111 = angle1________ - offset1
+            v112 = angle1_________ - offset1
+            v113 = angle1__________ - offset1
+            v114 = angle1___________ - offset1
+            q1_ppp = v111 + (m4 if v111 <= -half_turn else 0.0)
+            q1_pmp = v112 + (m4 if v112 <= -half_turn else 0.0)
+            q1_mpp = v113 + (m4 if v113 <= -half_turn else 0.0)
+            q1_mmp = v114 + (m4 if v114 <= -half_turn else 0.0)
+            v115 = angle1____________ - offset2
+            v116 = angle1_____________ - offset2
+            v117 = angle1______________ - offset2
+            v118 = angle1_______________ - offset2
+            q2_ppp = v115 + (m4 if v115 <= -half_turn else 0.0)
+            q2_pmp = v116 + (m4 if v116 <= -half_turn else 0.0)
+            q2_mpp = v117 + (m4 if v117 <= -half_turn else 0.0)
+            q2_mmp = v118 + (m4 if v118 <= -half_turn else 0.0)
+            v125 = angle1_________________ - offset6
+            v126 = offset6 + angle1_________________
+            v127 = angle1__________________ - offset6
+            v128 = offset6 + angle1__________________
+            v129 = angle1___________________ - offset6
+            v130 = offset6 + angle1___________________
+            v131 = angle1____________________ - offset6
+            v132 = offset6 + angle1____________________
+            q6_ppp = v125 + (m4 if v125 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v126 <= -half_turn else 0.0) - v126
+            q6_pmp = v127 + (m4 if v127 <= -half_turn else 0.0)
+            q6_pmm = (m4 if -v128 <= -half_turn else 0.0) - v128
+            q6_mpp = v129 + (m4 if v129 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v130 <= -half_turn else 0.0) - v130
+            q6_mmp = v131 + (m4 if v131 <= -half_turn else 0.0)
+            q6_mmm = (m4 if -v132 <= -half_turn else 0.0) - v132
+            v136 = (
+                v134 or (v133 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
+                q2_ppp)))
+            )
+            v137 = (
+                v134 or (v133 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
+                q2_pmp)))
+            )
+            v138 = (
+                v135 or (v133 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
+                q2_mpp)))
+            )
+            v139 = (
+                v135 or (v133 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
+                q2_mmp)))
+            )
+            outside_ppp = (
+                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v136
+                or (angle1 < low5 or high5 < angle1)))
+            )
+            outside_ppm = (
+                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v136 or
+                (q5_ppm < low5 or high5 < q5_ppm)))
+            )
+            outside_pmp = (
+                angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or
+                (v137 or (angle1_ < low5 or high5 < angle1_)))
+            )
+            outside_pmm = (
+                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v137 or
+                (q5_pmm < low5 or high5 < q5_pmm)))
+            )
+            outside_mpp = (
+                angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or
+                (v138 or (angle1__ < low5 or high5 < angle1__)))
+            )
+            outside_mpm = (
+                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v138 or
+                (q5_mpm < low5 or high5 < q5_mpm)))
+            )
+            outside_mmp = (
+                angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or
+                (v139 or (angle1___ < low5 or high5 < angle1___)))
+            )
+            outside_mmm = (
+                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v139 or
+                (q5_mmm < low5 or high5 < q5_mmm)))
+            )
+            _8800 = q1_ppp
+            work[8800 + k] = _8800
+            _8832 = q2_ppp
+            work[8832 + k] = _8832
+            _8864 = q3_ppp
+            work[8864 + k] = _8864
+            _8896 = q4_ppp
+            work[8896 + k] = _8896
+            _8928 = angle1
+            work[8928 + k] = _8928
+            _8960 = q6_ppp
+            work[8960 + k] = _8960
+            _8992 = angle1____
+            work[8992 + k] = _8992
+            _9024 = q5_ppm
+            work[9024 + k] = _9024
+            _9056 = q6_ppm
+            work[9056 + k] = _9056
+            _9088 = q7_ppm
+            work[9088 + k] = _9088
+            _9120 = q1_pmp
+            work[9120 + k] = _9120
+            _9152 = q2_pmp
+            work[9152 + k] = _9152
+            _9184 = angle1_
+            work[9184 + k] = _9184
+            _9216 = q6_pmp
+            work[9216 + k] = _9216
+            _9248 = angle1_____
+            work[9248 + k] = _9248
+            _9280 = q5_pmm
+            work[9280 + k] = _9280
+            _9312 = q6_pmm
+            work[9312 + k] = _9312
+            _9344 = q7_pmm
+            work[9344 + k] = _9344
+            _9376 = q1_mpp
+            work[9376 + k] = _9376
+            _9408 = q2_mpp
+            work[9408 + k] = _9408
+            _9440 = q4_mpp
+            work[9440 + k] = _9440
+            _9472 = angle1__
+            work[9472 + k] = _9472
+            _9504 = q6_mpp
+            work[9504 + k] = _9504
+            _9536 = angle1______
+            work[9536 + k] = _9536
+            _9568 = q5_mpm
+            work[9568 + k] = _9568
+            _9600 = q6_mpm
+            work[9600 + k] = _9600
+            _9632 = q7_mpm
+            work[9632 + k] = _9632
+            _9664 = q1_mmp
+            work[9664 + k] = _9664
+            _9696 = q2_mmp
+            work[9696 + k] = _9696
+            _9728 = angle1___
+            work[9728 + k] = _9728
+            _9760 = q6_mmp
+            work[9760 + k] = _9760
+            _9792 = angle1_______
+            work[9792 + k] = _9792
+            _9824 = q5_mmm
+            work[9824 + k] = _9824
+            _9856 = q6_mmm
+            work[9856 + k] = _9856
+            _9888 = q7_mmm
+            work[9888 + k] = _9888
+            work[9920 + k] = (
+                UNREACHABLE if _8800 != _8800 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[9952 + k] = (
+                UNREACHABLE if _8800 != _8800 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[9984 + k] = (
+                UNREACHABLE if _9120 != _9120 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[10016 + k] = (
+                UNREACHABLE if _9120 != _9120 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[10048 + k] = (
+                UNREACHABLE if _9376 != _9376 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[10080 + k] = (
+                UNREACHABLE if _9376 != _9376 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[10112 + k] = (
+                UNREACHABLE if _9664 != _9664 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[10144 + k] = (
+                UNREACHABLE if _9664 != _9664 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[544 + k] = 1.0 if doubt else work[544 + k]
+        for k in range(count):
+            if work[544 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(7):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, q_free, *, cores=None):
@@ -706,14 +1826,23 @@ def ik_batch(T, q_free, *, cores=None):
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
     q_free = _array(q_free, (len(T), 1), "q_free")
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q_free, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q_free, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q_free, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "kuka_kr210"
 METHOD = "closed form"
@@ -74,6 +75,13 @@ k1 = 3.75  # 2 * d4 * a2 [m^2]
 k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+turn1 = 1.6067807868769481  # a constant angle [rad]
+m1 = 1.7698849e-23  # free_limit1^2 [m^2]
+m3 = 3.132492559248009e-46  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -90,7 +98,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -120,7 +128,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -186,6 +194,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -454,15 +465,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -476,6 +484,234 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 4]
+    t14 = T14 - d7 * T13
+    Y1 = d7 * T23 - T24
+    v1 = t14 * t14 + Y1 * Y1
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = t14 * factor1
+    s1 = Y1 * factor1
+    angle1 = _atan2(Y1, -t14)
+
+    # theta3, type 6: U1[3, 4] and U1[1, 4]
+    Z1_3 = T34 - d7 * T33 - d1
+    v3 = a1 + w1
+    v4 = a1 - w1
+    v5 = Z1_3 * Z1_3
+    N3_p = v5 + v3 * v3
+    N3_m = v5 + v4 * v4
+    K3_p = N3_p - k3
+    K3_m = N3_m - k3
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v6 = k1 * K3_p
+    v7 = k1 * K3_m
+    v8 = k2 * w3_p
+    v9 = k2 * w3_m
+    v10 = k4 * (v6 + v8)
+    v11 = k4 * (v6 - v8)
+    v12 = k4 * (v7 + v9)
+    v13 = k4 * (v7 - v9)
+    v14 = k2 * K3_p
+    v15 = k2 * K3_m
+    v16 = k1 * w3_p
+    v17 = k1 * w3_m
+    c3_pp = k4 * (v16 - v14)
+    v18 = k4 * (v14 + v16)
+    c3_mp = k4 * (v17 - v15)
+    v19 = k4 * (v15 + v17)
+    angle1_ = _atan2(w3_p, K3_p)
+    angle1__ = _atan2(w3_m, K3_m)
+    q3__pp = angle1_ - turn1
+    v20 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v21 = turn1 + angle1__
+
+    # theta2, type 3: U1[1, 4] and U1[3, 4]
+    v22 = d4 * c3_pp + a3 * v10
+    v23 = a3 * v11 - d4 * v18
+    v24 = d4 * c3_mp + a3 * v12
+    v25 = a3 * v13 - d4 * v19
+    X2_2_pp = a3 * c3_pp - d4 * v10 - a2
+    v26 = a2 + (a3 * v18 + d4 * v11)
+    X2_2_mp = a3 * c3_mp - d4 * v12 - a2
+    v27 = a2 + (a3 * v19 + d4 * v13)
+    S2_pp = v3 * v22 - Z1_3 * -X2_2_pp
+    S2_pm = v3 * v23 - Z1_3 * v26
+    S2_mp = v4 * v24 - Z1_3 * -X2_2_mp
+    S2_mm = v4 * v25 - Z1_3 * v27
+    C2_pp = v3 * X2_2_pp - Z1_3 * v22
+    v28 = v3 * v26 + Z1_3 * v23
+    C2_mp = v4 * X2_2_mp - Z1_3 * v24
+    v29 = v4 * v27 + Z1_3 * v25
+    v30 = S2_pp * S2_pp + C2_pp * C2_pp
+    v31 = S2_pm * S2_pm + v28 * v28
+    v32 = S2_mp * S2_mp + C2_mp * C2_mp
+    v33 = S2_mm * S2_mm + v29 * v29
+    factor2_pp = 1.0 / math.sqrt(v30)
+    factor2_pm = 1.0 / math.sqrt(v31)
+    factor2_mp = 1.0 / math.sqrt(v32)
+    factor2_mm = 1.0 / math.sqrt(v33)
+    c2_pp = C2_pp * factor2_pp
+    v34 = v28 * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    v35 = v29 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+
+    # theta4, type 2: U4[2, 3]
+    c23_pp = c3_pp * c2_pp + v10 * s2_pp
+    c23_pm = v18 * v34 + v11 * s2_pm
+    c23_mp = c3_mp * c2_mp + v12 * s2_mp
+    c23_mm = v19 * v35 + v13 * s2_mm
+    s23_pp = c3_pp * s2_pp - v10 * c2_pp
+    s23_pm = v11 * v34 - v18 * s2_pm
+    s23_mp = c3_mp * s2_mp - v12 * c2_mp
+    s23_mm = v13 * v35 - v19 * s2_mm
+    v36 = T23 * s1 - T13 * v2
+    X4_pp = c23_pp * v36 - T33 * s23_pp
+    X4_pm = c23_pm * v36 - T33 * s23_pm
+    v37 = c23_mp * v36 + T33 * s23_mp
+    v38 = c23_mm * v36 + T33 * s23_mm
+    v39 = T23 * v2 + T13 * s1
+    v40 = v39 * v39
+    v41 = v40 + X4_pp * X4_pp
+    v42 = v40 + X4_pm * X4_pm
+    v43 = v40 + v37 * v37
+    v44 = v40 + v38 * v38
+    angle1___ = _atan2(-v39, -X4_pp)
+    angle1____ = _atan2(-v39, -X4_pm)
+    angle1_____ = _atan2(v39, v37)
+    angle1______ = _atan2(v39, v38)
+    v45 = math.copysign(half_turn, -v39) * h1
+    v46 = math.copysign(half_turn, v39) * h1
+    q4_ppm = angle1___ - v45
+    q4_pmm = angle1____ - v45
+    q4_mpm = angle1_____ - v46
+    q4_mmm = angle1______ - v46
+
+    # theta5, type 3: U4[3, 3] and U4[1, 3]
+    angle1_______ = _atan2(math.sqrt(v41), -(T33 * c23_pp + s23_pp * v36))
+    angle1________ = _atan2(math.sqrt(v42), -(T33 * c23_pm + s23_pm * v36))
+    angle1_________ = _atan2(math.sqrt(v43), s23_mp * v36 - T33 * c23_mp)
+    angle1__________ = _atan2(math.sqrt(v44), s23_mm * v36 - T33 * c23_mm)
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
+    v47 = v2 * T22 + s1 * T12
+    v48 = s1 * T22 - v2 * T12
+    v49 = v2 * T21 + s1 * T11
+    v50 = s1 * T21 - v2 * T11
+    v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31)
+    v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31)
+    v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49
+    v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49
+    angle1___________ = _atan2(v51, -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32))
+    angle1____________ = _atan2(v52, -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32))
+    angle1_____________ = _atan2(v53, v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47)
+    angle1______________ = _atan2(v54, v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47)
+    q6_ppm = angle1___________ - h1 * math.copysign(half_turn, v51)
+    q6_pmm = angle1____________ - h1 * math.copysign(half_turn, v52)
+    q6_mpm = angle1_____________ - h1 * math.copysign(half_turn, v53)
+    q6_mmm = angle1______________ - h1 * math.copysign(half_turn, v54)
+
+    # joint values
+    angle1_______________ = _atan2(S2_pp, C2_pp)
+    v55 = angle1_______________ - offset2
+    angle1________________ = _atan2(S2_pm, -v28)
+    v56 = angle1________________ - offset2
+    angle1_________________ = _atan2(S2_mp, C2_mp)
+    v57 = angle1_________________ - offset2
+    angle1__________________ = _atan2(S2_mm, -v29)
+    v58 = angle1__________________ - offset2
+    q2_ppp = v55 - (m5 if half_turn < v55 else 0.0)
+    q2_pmp = v56 - (m5 if half_turn < v56 else 0.0)
+    q2_mpp = v57 - (m5 if half_turn < v57 else 0.0)
+    q2_mmp = v58 - (m5 if half_turn < v58 else 0.0)
+    q3_ppp = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+    q3_pmp = (m5 if -v20 <= -half_turn else 0.0) - v20
+    q3_mpp = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+    q3_mmp = (m5 if -v21 <= -half_turn else 0.0) - v21
+    q1_ppp = angle1 + (w3_p - w3_p)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    doubt = (
+        v33 <= m3 or v44 <= m4 or (v32 <= m3 or v43 <= m4 or (v31 <= m3 or v42 <= m4 or (v30 <= m3
+        or v41 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1___
+    q[0, 4] = angle1_______
+    q[0, 5] = angle1___________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1_______
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1____
+    q[2, 4] = angle1________
+    q[2, 5] = angle1____________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1_____
+    q[4, 4] = angle1_________
+    q[4, 5] = angle1_____________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1_________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = angle1______
+    q[6, 4] = angle1__________
+    q[6, 5] = angle1______________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1__________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -499,13 +735,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -522,10 +768,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -585,10 +829,364 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [5632, 5664, 5696, 5728, 5760, 5792],
+    [5632, 5664, 5696, 5824, 5856, 5888],
+    [5632, 5920, 5952, 5984, 6016, 6048],
+    [5632, 5920, 5952, 6080, 6112, 6144],
+    [6176, 6208, 6240, 6272, 6304, 6336],
+    [6176, 6208, 6240, 6368, 6400, 6432],
+    [6176, 6464, 6496, 6528, 6560, 6592],
+    [6176, 6464, 6496, 6624, 6656, 6688],
+])
+_KINDS = np.array([6720, 6752, 6784, 6816, 6848, 6880, 6912, 6944])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(6976)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t14 = T14 - d7 * T13
+            Y1 = d7 * T23 - T24
+            v1 = t14 * t14 + Y1 * Y1
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = t14 * factor1
+            s1 = Y1 * factor1
+            Z1_3 = T34 - d7 * T33 - d1
+            v3 = a1 + w1
+            v4 = a1 - w1
+            v5 = Z1_3 * Z1_3
+            N3_p = v5 + v3 * v3
+            N3_m = v5 + v4 * v4
+            K3_p = N3_p - k3
+            K3_m = N3_m - k3
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v6 = k1 * K3_p
+            v7 = k1 * K3_m
+            v8 = k2 * w3_p
+            v9 = k2 * w3_m
+            v10 = k4 * (v6 + v8)
+            v11 = k4 * (v6 - v8)
+            v12 = k4 * (v7 + v9)
+            v13 = k4 * (v7 - v9)
+            v14 = k2 * K3_p
+            v15 = k2 * K3_m
+            v16 = k1 * w3_p
+            v17 = k1 * w3_m
+            c3_pp = k4 * (v16 - v14)
+            v18 = k4 * (v14 + v16)
+            c3_mp = k4 * (v17 - v15)
+            v19 = k4 * (v15 + v17)
+            v22 = d4 * c3_pp + a3 * v10
+            v23 = a3 * v11 - d4 * v18
+            v24 = d4 * c3_mp + a3 * v12
+            v25 = a3 * v13 - d4 * v19
+            X2_2_pp = a3 * c3_pp - d4 * v10 - a2
+            v26 = a2 + (a3 * v18 + d4 * v11)
+            X2_2_mp = a3 * c3_mp - d4 * v12 - a2
+            v27 = a2 + (a3 * v19 + d4 * v13)
+            S2_pp = v3 * v22 - Z1_3 * -X2_2_pp
+            S2_pm = v3 * v23 - Z1_3 * v26
+            S2_mp = v4 * v24 - Z1_3 * -X2_2_mp
+            S2_mm = v4 * v25 - Z1_3 * v27
+            C2_pp = v3 * X2_2_pp - Z1_3 * v22
+            v28 = v3 * v26 + Z1_3 * v23
+            C2_mp = v4 * X2_2_mp - Z1_3 * v24
+            v29 = v4 * v27 + Z1_3 * v25
+            v30 = S2_pp * S2_pp + C2_pp * C2_pp
+            v31 = S2_pm * S2_pm + v28 * v28
+            v32 = S2_mp * S2_mp + C2_mp * C2_mp
+            v33 = S2_mm * S2_mm + v29 * v29
+            factor2_pp = 1.0 / math.sqrt(v30)
+            factor2_pm = 1.0 / math.sqrt(v31)
+            factor2_mp = 1.0 / math.sqrt(v32)
+            factor2_mm = 1.0 / math.sqrt(v33)
+            c2_pp = C2_pp * factor2_pp
+            v34 = v28 * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            v35 = v29 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            c23_pp = c3_pp * c2_pp + v10 * s2_pp
+            c23_pm = v18 * v34 + v11 * s2_pm
+            c23_mp = c3_mp * c2_mp + v12 * s2_mp
+            c23_mm = v19 * v35 + v13 * s2_mm
+            s23_pp = c3_pp * s2_pp - v10 * c2_pp
+            s23_pm = v11 * v34 - v18 * s2_pm
+            s23_mp = c3_mp * s2_mp - v12 * c2_mp
+            s23_mm = v13 * v35 - v19 * s2_mm
+            v36 = T23 * s1 - T13 * v2
+            X4_pp = c23_pp * v36 - T33 * s23_pp
+            X4_pm = c23_pm * v36 - T33 * s23_pm
+            v37 = c23_mp * v36 + T33 * s23_mp
+            v38 = c23_mm * v36 + T33 * s23_mm
+            v39 = T23 * v2 + T13 * s1
+            v40 = v39 * v39
+            v41 = v40 + X4_pp * X4_pp
+            v42 = v40 + X4_pm * X4_pm
+            v43 = v40 + v37 * v37
+            v44 = v40 + v38 * v38
+            v45 = math.copysign(half_turn, -v39) * h1
+            v46 = math.copysign(half_turn, v39) * h1
+            v47 = v2 * T22 + s1 * T12
+            v48 = s1 * T22 - v2 * T12
+            v49 = v2 * T21 + s1 * T11
+            v50 = s1 * T21 - v2 * T11
+            v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31)
+            v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31)
+            v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49
+            v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49
+            doubt = (
+                v33 <= m3 or v44 <= m4 or (v32 <= m3 or v43 <= m4 or (v31 <= m3 or v42 <= m4 or (v30
+                <= m3 or v41 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
+            )
+            work[3008 + k] = Y1
+            work[1120 + k] = w3_p
+            work[2752 + k] = w3_m
+            work[3488 + k] = v45
+            work[3520 + k] = v46
+            work[3424 + k] = v51
+            work[1888 + k] = v52
+            work[2176 + k] = v53
+            work[2400 + k] = v54
+            work[3552 + k] = doubt
+            work[3584 + k] = Y1
+            work[3616 + k] = w3_p
+            work[3648 + k] = w3_m
+            work[3680 + k] = -v39
+            work[3712 + k] = -v39
+            work[3744 + k] = v39
+            work[3776 + k] = v39
+            work[3808 + k] = math.sqrt(v41)
+            work[3840 + k] = math.sqrt(v42)
+            work[3872 + k] = math.sqrt(v43)
+            work[3904 + k] = math.sqrt(v44)
+            work[3936 + k] = v51
+            work[3968 + k] = v52
+            work[4000 + k] = v53
+            work[4032 + k] = v54
+            work[4064 + k] = S2_pp
+            work[4096 + k] = S2_pm
+            work[4128 + k] = S2_mp
+            work[4160 + k] = S2_mm
+            work[4192 + k] = -t14
+            work[4224 + k] = K3_p
+            work[4256 + k] = K3_m
+            work[4288 + k] = -X4_pp
+            work[4320 + k] = -X4_pm
+            work[4352 + k] = v37
+            work[4384 + k] = v38
+            work[4416 + k] = -(T33 * c23_pp + s23_pp * v36)
+            work[4448 + k] = -(T33 * c23_pm + s23_pm * v36)
+            work[4480 + k] = s23_mp * v36 - T33 * c23_mp
+            work[4512 + k] = s23_mm * v36 - T33 * c23_mm
+            work[4544 + k] = -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32)
+            work[4576 + k] = -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32)
+            work[4608 + k] = v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47
+            work[4640 + k] = v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47
+            work[4672 + k] = C2_pp
+            work[4704 + k] = -v28
+            work[4736 + k] = C2_mp
+            work[4768 + k] = -v29
+        for k in range(3584, 4192):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            w3_p = work[1120 + k]
+            v52 = work[1888 + k]
+            v53 = work[2176 + k]
+            v54 = work[2400 + k]
+            w3_m = work[2752 + k]
+            Y1 = work[3008 + k]
+            v51 = work[3424 + k]
+            v45 = work[3488 + k]
+            v46 = work[3520 + k]
+            doubt = work[3552 + k] != 0.0
+            angle1 = work[3584 + k]
+            angle1_ = work[3616 + k]
+            angle1__ = work[3648 + k]
+            angle1___ = work[3680 + k]
+            angle1____ = work[3712 + k]
+            angle1_____ = work[3744 + k]
+            angle1______ = work[3776 + k]
+            angle1_______ = work[3808 + k]
+            angle1________ = work[3840 + k]
+            angle1_________ = work[3872 + k]
+            angle1__________ = work[3904 + k]
+            angle1___________ = work[3936 + k]
+            angle1____________ = work[3968 + k]
+            angle1_____________ = work[4000 + k]
+            angle1______________ = work[4032 + k]
+            angle1_______________ = work[4064 + k]
+            angle1________________ = work[4096 + k]
+            angle1_________________ = work[4128 + k]
+            angle1__________________ = work[4160 + k]
+            q3__pp = angle1_ - turn1
+            v20 = turn1 + angle1_
+            q3__mp = angle1__ - turn1
+            v21 = turn1 + angle1__
+            q4_ppm = angle1___ - v45
+            q4_pmm = angle1____ - v45
+            q4_mpm = angle1_____ - v46
+            q4_mmm = angle1______ - v46
+            q6_ppm = angle1___________ - h1 * math.copysign(half_turn, v51)
+            q6_pmm = angle1____________ - h1 * math.copysign(half_turn, v52)
+            q6_mpm = angle1_____________ - h1 * math.copysign(half_turn, v53)
+            q6_mmm = angle1______________ - h1 * math.copysign(half_turn, v54)
+            v55 = angle1_______________ - offset2
+            v56 = angle1________________ - offset2
+            v57 = angle1_________________ - offset2
+            v58 = angle1__________________ - offset2
+            q2_ppp = v55 - (m5 if half_turn < v55 else 0.0)
+            q2_pmp = v56 - (m5 if half_turn < v56 else 0.0)
+            q2_mpp = v57 - (m5 if half_turn < v57 else 0.0)
+            q2_mmp = v58 - (m5 if half_turn < v58 else 0.0)
+            q3_ppp = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
+            q3_pmp = (m5 if -v20 <= -half_turn else 0.0) - v20
+            q3_mpp = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
+            q3_mmp = (m5 if -v21 <= -half_turn else 0.0) - v21
+            q1_ppp = angle1 + (w3_p - w3_p)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            _5632 = q1_ppp
+            work[5632 + k] = _5632
+            _5664 = q2_ppp
+            work[5664 + k] = _5664
+            _5696 = q3_ppp
+            work[5696 + k] = _5696
+            _5728 = angle1___
+            work[5728 + k] = _5728
+            _5760 = angle1_______
+            work[5760 + k] = _5760
+            _5792 = angle1___________
+            work[5792 + k] = _5792
+            _5824 = q4_ppm
+            work[5824 + k] = _5824
+            _5856 = -angle1_______
+            work[5856 + k] = _5856
+            _5888 = q6_ppm
+            work[5888 + k] = _5888
+            _5920 = q2_pmp
+            work[5920 + k] = _5920
+            _5952 = q3_pmp
+            work[5952 + k] = _5952
+            _5984 = angle1____
+            work[5984 + k] = _5984
+            _6016 = angle1________
+            work[6016 + k] = _6016
+            _6048 = angle1____________
+            work[6048 + k] = _6048
+            _6080 = q4_pmm
+            work[6080 + k] = _6080
+            _6112 = -angle1________
+            work[6112 + k] = _6112
+            _6144 = q6_pmm
+            work[6144 + k] = _6144
+            _6176 = q1_mpp
+            work[6176 + k] = _6176
+            _6208 = q2_mpp
+            work[6208 + k] = _6208
+            _6240 = q3_mpp
+            work[6240 + k] = _6240
+            _6272 = angle1_____
+            work[6272 + k] = _6272
+            _6304 = angle1_________
+            work[6304 + k] = _6304
+            _6336 = angle1_____________
+            work[6336 + k] = _6336
+            _6368 = q4_mpm
+            work[6368 + k] = _6368
+            _6400 = -angle1_________
+            work[6400 + k] = _6400
+            _6432 = q6_mpm
+            work[6432 + k] = _6432
+            _6464 = q2_mmp
+            work[6464 + k] = _6464
+            _6496 = q3_mmp
+            work[6496 + k] = _6496
+            _6528 = angle1______
+            work[6528 + k] = _6528
+            _6560 = angle1__________
+            work[6560 + k] = _6560
+            _6592 = angle1______________
+            work[6592 + k] = _6592
+            _6624 = q4_mmm
+            work[6624 + k] = _6624
+            _6656 = -angle1__________
+            work[6656 + k] = _6656
+            _6688 = q6_mmm
+            work[6688 + k] = _6688
+            work[6720 + k] = UNREACHABLE if _5632 != _5632 else OK
+            work[6752 + k] = UNREACHABLE if _5632 != _5632 else OK
+            work[6784 + k] = UNREACHABLE if _5632 != _5632 else OK
+            work[6816 + k] = UNREACHABLE if _5632 != _5632 else OK
+            work[6848 + k] = UNREACHABLE if _6176 != _6176 else OK
+            work[6880 + k] = UNREACHABLE if _6176 != _6176 else OK
+            work[6912 + k] = UNREACHABLE if _6176 != _6176 else OK
+            work[6944 + k] = UNREACHABLE if _6176 != _6176 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -599,14 +1197,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

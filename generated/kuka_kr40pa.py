@@ -22,7 +22,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "kuka_kr40pa"
 METHOD = "closed form"
@@ -64,6 +66,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 2.2e-05  # a pose may be rounded by this [m]
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 2.342559999999999e-47  # free_limit_squared2^2 [m^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -80,7 +86,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -110,7 +116,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -158,6 +164,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -407,7 +416,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -423,7 +432,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -455,7 +464,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -472,7 +481,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -493,15 +502,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(4):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -517,6 +523,122 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta234, type 3: U0[3, 3] and U0[3, 1]
+    v1 = T31 * T31 + T33 * T33
+    free234 = v1 <= m1
+    factor234 = 1.0 / math.sqrt(v1)
+    c234 = T33 * factor234
+    v2 = T31 * factor234
+    angle1 = _atan2(-T31, T33)
+
+    # theta1, type 3: U0[1, 2] and U0[2, 2]
+    v3 = T12 * T12 + T22 * T22
+    v4 = 1.0 / math.sqrt(v3)
+    c1 = T22 * v4
+    v5 = T12 * v4
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v6 = a4 * v2
+    Z1_3 = T34 - d1 - v6
+    v7 = a1 + a4 * c234
+    Z2_3 = c1 * T14 - v5 * T24 - v7
+    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    s3 = k2 * w3
+    c3 = k2 * K3
+    angle1_ = _atan2(w3, K3)
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v8 = a3 * s3
+    Y1_2 = a2 + a3 * c3
+    v9 = Z1_3 * Y1_2
+    v10 = Z2_3 * v8
+    v11 = v9 + v10
+    v12 = v9 - v10
+    v13 = Z2_3 * Y1_2
+    v14 = Z1_3 * v8
+    C2_p = v13 - v14
+    C2_m = v13 + v14
+    v15 = v11 * v11 + C2_p * C2_p
+    v16 = v12 * v12 + C2_m * C2_m
+    free2_p = v15 <= m2
+    free2_m = v16 <= m2
+    factor2_p = 1.0 / math.sqrt(v15)
+    factor2_m = 1.0 / math.sqrt(v16)
+    c2_p = C2_p * factor2_p
+    c2_m = C2_m * factor2_m
+    v17 = v11 * factor2_p
+    v18 = v12 * factor2_m
+    angle1__ = _atan2(-v11, C2_p)
+    angle1___ = _atan2(-v12, C2_m)
+
+    # is the pose one that the arm can take?
+    v19 = a3 * (c3 * c2_p + s3 * v17) + (v7 + a2 * c2_p)
+    v20 = a3 * (c3 * c2_m - s3 * v18) + (v7 + a2 * c2_m)
+    v21 = d1 + v6
+    v22 = math.sqrt(-1.0)
+    v23 = (
+        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2) <=
+        pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack and
+        (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and (abs(T11 -
+        c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v22
+    )
+    v24 = (
+        0.0 if (abs(T34 + (a3 * (s3 * c2_p - c3 * v17) - (v21 + a2 * v17))) <= pose_slack1 and
+        (abs(T14 - c1 * v19) <= pose_slack1 and abs(T24 + v5 * v19) <= pose_slack1)) else v22
+    )
+    v25 = (
+        0.0 if (abs(T34 - (a3 * (s3 * c2_m + c3 * v18) + (v21 + a2 * v18))) <= pose_slack1 and
+        (abs(T14 - c1 * v20) <= pose_slack1 and abs(T24 + v5 * v20) <= pose_slack1)) else v22
+    )
+
+    # joint values
+    v26 = angle1 - (angle1_ + angle1__)
+    v27 = angle1 - (angle1___ - angle1_)
+    angle1____ = _atan2(-T12, T22)
+    v28 = v23 + (angle1____ + (w3 - w3))
+    q1_p = v24 + v28
+    q1_m = v25 + v28
+    q2_p = v24 + (angle1__ + v23)
+    q2_m = v25 + (angle1___ + v23)
+    q3_p = v24 + (angle1_ + v23)
+    q3_m = v25 + (v23 - angle1_)
+    q4_p = (
+        v24 + (v23 + (v26 - (m3 if half_turn < v26 else 0.0) + (m3 if v26 <= -half_turn else 0.0)))
+    )
+    q4_m = (
+        v25 + (v23 + (v27 - (m3 if half_turn < v27 else 0.0) + (m3 if v27 <= -half_turn else 0.0)))
+    )
+    doubt = (
+        free2_m or (free234 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart) or (free234 or v3 <= m1) or (free2_p or
+        (free234 or free2_p)))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -540,13 +662,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (4,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -563,10 +695,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -626,10 +756,201 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(4)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2688, 2720, 2752, 2784],
+    [2816, 2848, 2880, 2912],
+])
+_KINDS = np.array([2944, 2976])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(3008)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T31 * T31 + T33 * T33
+            free234 = v1 <= m1
+            factor234 = 1.0 / math.sqrt(v1)
+            c234 = T33 * factor234
+            v2 = T31 * factor234
+            v3 = T12 * T12 + T22 * T22
+            v4 = 1.0 / math.sqrt(v3)
+            c1 = T22 * v4
+            v5 = T12 * v4
+            v6 = a4 * v2
+            Z1_3 = T34 - d1 - v6
+            v7 = a1 + a4 * c234
+            Z2_3 = c1 * T14 - v5 * T24 - v7
+            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+            K3 = N3 - k1
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            s3 = k2 * w3
+            c3 = k2 * K3
+            v8 = a3 * s3
+            Y1_2 = a2 + a3 * c3
+            v9 = Z1_3 * Y1_2
+            v10 = Z2_3 * v8
+            v11 = v9 + v10
+            v12 = v9 - v10
+            v13 = Z2_3 * Y1_2
+            v14 = Z1_3 * v8
+            C2_p = v13 - v14
+            C2_m = v13 + v14
+            v15 = v11 * v11 + C2_p * C2_p
+            v16 = v12 * v12 + C2_m * C2_m
+            free2_p = v15 <= m2
+            free2_m = v16 <= m2
+            factor2_p = 1.0 / math.sqrt(v15)
+            factor2_m = 1.0 / math.sqrt(v16)
+            c2_p = C2_p * factor2_p
+            c2_m = C2_m * factor2_m
+            v17 = v11 * factor2_p
+            v18 = v12 * factor2_m
+            v19 = a3 * (c3 * c2_p + s3 * v17) + (v7 + a2 * c2_p)
+            v20 = a3 * (c3 * c2_m - s3 * v18) + (v7 + a2 * c2_m)
+            v21 = d1 + v6
+            v22 = math.sqrt(-1.0)
+            v23 = (
+                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2)
+                <= pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack
+                and (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and
+                (abs(T11 - c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v22
+            )
+            v24 = (
+                0.0 if (abs(T34 + (a3 * (s3 * c2_p - c3 * v17) - (v21 + a2 * v17))) <= pose_slack1
+                and (abs(T14 - c1 * v19) <= pose_slack1 and abs(T24 + v5 * v19) <= pose_slack1))
+                else v22
+            )
+            v25 = (
+                0.0 if (abs(T34 - (a3 * (s3 * c2_m + c3 * v18) + (v21 + a2 * v18))) <= pose_slack1
+                and (abs(T14 - c1 * v20) <= pose_slack1 and abs(T24 + v5 * v20) <= pose_slack1))
+                else v22
+            )
+            doubt = (
+                free2_m or (free234 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach
+                and not (shortest3_apart < N3 and N3 < longest3_apart) or (free234 or v3 <= m1) or
+                (free2_p or (free234 or free2_p)))
+            )
+            work[1728 + k] = w3
+            work[1888 + k] = v23
+            work[1920 + k] = v24
+            work[1952 + k] = v25
+            work[1984 + k] = doubt
+            work[2016 + k] = -T31
+            work[2048 + k] = w3
+            work[2080 + k] = -v11
+            work[2112 + k] = -v12
+            work[2144 + k] = -T12
+            work[2176 + k] = T33
+            work[2208 + k] = K3
+            work[2240 + k] = C2_p
+            work[2272 + k] = C2_m
+            work[2304 + k] = T22
+        for k in range(2016, 2176):
+            work[k] = _atan2(work[k], work[k + 160])
+        for k in range(0, 32):
+            w3 = work[1728 + k]
+            v23 = work[1888 + k]
+            v24 = work[1920 + k]
+            v25 = work[1952 + k]
+            doubt = work[1984 + k] != 0.0
+            angle1 = work[2016 + k]
+            angle1_ = work[2048 + k]
+            angle1__ = work[2080 + k]
+            angle1___ = work[2112 + k]
+            angle1____ = work[2144 + k]
+            v26 = angle1 - (angle1_ + angle1__)
+            v27 = angle1 - (angle1___ - angle1_)
+            v28 = v23 + (angle1____ + (w3 - w3))
+            q1_p = v24 + v28
+            q1_m = v25 + v28
+            q2_p = v24 + (angle1__ + v23)
+            q2_m = v25 + (angle1___ + v23)
+            q3_p = v24 + (angle1_ + v23)
+            q3_m = v25 + (v23 - angle1_)
+            q4_p = (
+                v24 + (v23 + (v26 - (m3 if half_turn < v26 else 0.0) + (m3 if v26 <= -half_turn else
+                0.0)))
+            )
+            q4_m = (
+                v25 + (v23 + (v27 - (m3 if half_turn < v27 else 0.0) + (m3 if v27 <= -half_turn else
+                0.0)))
+            )
+            _2688 = q1_p
+            work[2688 + k] = _2688
+            _2720 = q2_p
+            work[2720 + k] = _2720
+            _2752 = q3_p
+            work[2752 + k] = _2752
+            _2784 = q4_p
+            work[2784 + k] = _2784
+            _2816 = q1_m
+            work[2816 + k] = _2816
+            _2848 = q2_m
+            work[2848 + k] = _2848
+            _2880 = q3_m
+            work[2880 + k] = _2880
+            _2912 = q4_m
+            work[2912 + k] = _2912
+            work[2944 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[2976 + k] = UNREACHABLE if _2816 != _2816 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(4):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -640,14 +961,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -22,7 +22,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "kuka_youbot"
 METHOD = "closed form"
@@ -70,6 +72,12 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
 k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 4.726562499999999e-25  # free_limit1^2 [m^2]
+m3 = 9.999999999999998e-49  # free_limit_squared^2
+m4 = 2.234039306640625e-49  # free_limit_squared2^2 [m^4]
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -86,7 +94,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -116,7 +124,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -174,6 +182,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -467,7 +478,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -483,7 +494,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -515,7 +526,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -532,7 +543,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -553,15 +564,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(5):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -577,6 +585,217 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    c1 = T14 * factor1
+    s1 = T24 * factor1
+    angle1 = _atan2(T24, T14)
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    Z2_234 = c1 * T13 + s1 * T23
+    v2 = T33 * T33 + Z2_234 * Z2_234
+    free234 = v2 <= m3
+    factor234 = 1.0 / math.sqrt(v2)
+    v3 = T33 * factor234
+    s234 = Z2_234 * factor234
+    angle1_ = _atan2(Z2_234, -T33)
+
+    # theta5, type 3: U1[3, 2] and U1[3, 1]
+    S5 = c1 * T21 - s1 * T11
+    C5 = c1 * T22 - s1 * T12
+    v4 = S5 * S5 + C5 * C5
+    v5 = 1.0 / math.sqrt(v4)
+    v6 = C5 * v5
+    v7 = S5 * v5
+    angle1__ = _atan2(-S5, -C5)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v8 = d5 * v3
+    Z1_3 = T34 - d1 - v8
+    v9 = d5 * s234
+    Z2_3_p = w1 - a1 - v9
+    Z2_3_m = v9 - (a1 + w1)
+    v10 = Z1_3 * Z1_3
+    N3_p = v10 + Z2_3_p * Z2_3_p
+    N3_m = v10 + Z2_3_m * Z2_3_m
+    K3_p = N3_p - k1
+    K3_m = N3_m - k1
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v11 = w3_p - w3_p
+    v12 = w3_m - w3_m
+    s3_p = k2 * w3_p
+    s3_m = k2 * w3_m
+    c3_p = k2 * K3_p
+    c3_m = k2 * K3_m
+    angle1___ = _atan2(w3_p, K3_p)
+    angle1____ = _atan2(w3_m, K3_m)
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_p = a2 + a3 * c3_p
+    X1_2_m = a2 + a3 * c3_m
+    Y1_2_p = a3 * s3_p
+    Y1_2_m = a3 * s3_m
+    v13 = Z1_3 * X1_2_p
+    v14 = Z1_3 * X1_2_m
+    v15 = Z2_3_p * Y1_2_p
+    v16 = Z2_3_m * Y1_2_m
+    S2_pp = v13 - v15
+    S2_pm = v13 + v15
+    S2_mp = v14 - v16
+    S2_mm = v14 + v16
+    v17 = Z2_3_p * X1_2_p
+    v18 = Z2_3_m * X1_2_m
+    v19 = Z1_3 * Y1_2_p
+    v20 = Z1_3 * Y1_2_m
+    C2_pp = v17 + v19
+    C2_pm = v17 - v19
+    C2_mp = v18 + v20
+    C2_mm = v18 - v20
+    v21 = S2_pp * S2_pp + C2_pp * C2_pp
+    v22 = S2_pm * S2_pm + C2_pm * C2_pm
+    v23 = S2_mp * S2_mp + C2_mp * C2_mp
+    v24 = S2_mm * S2_mm + C2_mm * C2_mm
+    free2_pp = v21 <= m4
+    free2_pm = v22 <= m4
+    free2_mp = v23 <= m4
+    free2_mm = v24 <= m4
+    factor2_pp = 1.0 / math.sqrt(v21)
+    factor2_pm = 1.0 / math.sqrt(v22)
+    factor2_mp = 1.0 / math.sqrt(v23)
+    factor2_mm = 1.0 / math.sqrt(v24)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+    angle1_____ = _atan2(S2_pp, C2_pp)
+    angle1______ = _atan2(S2_pm, C2_pm)
+    angle1_______ = _atan2(S2_mp, C2_mp)
+    angle1________ = _atan2(S2_mm, C2_mm)
+
+    # is the pose one that the arm can take?
+    v25 = c1 * v3
+    v26 = a1 + v9
+    v27 = a1 - v9
+    v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp)
+    v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm)
+    v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp)
+    v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm)
+    v32 = s1 * v3
+    v33 = d1 + v8
+    v34 = math.sqrt(-1.0)
+    v35 = (
+        0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and (abs(T31 +
+        s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (v7 * v32 -
+        c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v32 + c1 * v7)) <= pose_slack and (abs(T13 - c1
+        * s234) <= pose_slack and (abs(T11 - (v6 * v25 - s1 * v7)) <= pose_slack and abs(T12 + (s1 *
+        v6 + v7 * v25)) <= pose_slack)))))))) else v34
+    )
+    v36 = (
+        0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 * s2_pp))) <= pose_slack1
+        and (abs(T14 - c1 * v28) <= pose_slack1 and abs(T24 - s1 * v28) <= pose_slack1)) else v34
+    )
+    v37 = (
+        0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 * s2_pm))) <= pose_slack1
+        and (abs(T14 - c1 * v29) <= pose_slack1 and abs(T24 - s1 * v29) <= pose_slack1)) else v34
+    )
+    v38 = (
+        0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 * s2_mp))) <= pose_slack1
+        and (abs(T14 + c1 * v30) <= pose_slack1 and abs(T24 + s1 * v30) <= pose_slack1)) else v34
+    )
+    v39 = (
+        0.0 if (abs(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 * s2_mm))) <= pose_slack1
+        and (abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1)) else v34
+    )
+
+    # joint values
+    v40 = angle1_____ - offset2
+    v41 = angle1______ - offset2
+    v42 = angle1_______ - offset2
+    v43 = angle1________ - offset2
+    v44 = angle1_ - (angle1___ + angle1_____) - offset4
+    v45 = angle1_ - (angle1______ - angle1___) - offset4
+    v46 = offset4 + (angle1_ + (angle1____ + angle1_______))
+    v47 = offset4 + (angle1_ + (angle1________ - angle1____))
+    v48 = v44 - (m5 if half_turn < v44 else 0.0) + (m5 if v44 <= -half_turn else 0.0)
+    v49 = v45 - (m5 if half_turn < v45 else 0.0) + (m5 if v45 <= -half_turn else 0.0)
+    v50 = (m5 if -v46 <= -half_turn else 0.0) - (v46 + (m5 if half_turn < -v46 else 0.0))
+    v51 = (m5 if -v47 <= -half_turn else 0.0) - (v47 + (m5 if half_turn < -v47 else 0.0))
+    v52 = v35 + (angle1 + v11)
+    v53 = v35 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v36 + v52
+    q1_pm = v37 + v52
+    q1_mp = v38 + v53
+    q1_mm = v39 + v53
+    q2_pp = v36 + (v35 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
+    q2_pm = v37 + (v35 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
+    q2_mp = v38 + (v35 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
+    q2_mm = v39 + (v35 + (v43 + (m5 if v43 <= -half_turn else 0.0)))
+    q3_pp = v36 + (angle1___ + v35)
+    q3_pm = v37 + (v35 - angle1___)
+    q3_mp = v38 + (angle1____ + v35)
+    q3_mm = v39 + (v35 - angle1____)
+    q4_pp = v36 + (v35 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
+    q4_pm = v37 + (v35 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
+    q4_mp = v38 + (v35 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
+    q4_mm = v39 + (v35 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
+    v54 = v35 + (angle1__ + v11)
+    v55 = v35 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    q5_pp = v36 + v54
+    q5_pm = v37 + v54
+    q5_mp = v38 + v55
+    q5_mm = v39 + v55
+    doubt = (
+        free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm or
+        (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach <= N3_m and
+        N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = q2_pp
+    q[0, 2] = q3_pp
+    q[0, 3] = q4_pp
+    q[0, 4] = q5_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pm
+    q[1, 1] = q2_pm
+    q[1, 2] = q3_pm
+    q[1, 3] = q4_pm
+    q[1, 4] = q5_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = q2_mp
+    q[2, 2] = q3_mp
+    q[2, 3] = q4_mp
+    q[2, 4] = q5_mp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mm
+    q[3, 1] = q2_mm
+    q[3, 2] = q3_mm
+    q[3, 3] = q4_mm
+    q[3, 4] = q5_mm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -600,13 +819,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (5,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -623,10 +852,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 5)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (5,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -686,10 +913,327 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(5)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [5184, 5216, 5248, 5280, 5312],
+    [5344, 5376, 5408, 5440, 5472],
+    [5504, 5536, 5568, 5600, 5632],
+    [5664, 5696, 5728, 5760, 5792],
+])
+_KINDS = np.array([5824, 5856, 5888, 5920])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(5952)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            c1 = T14 * factor1
+            s1 = T24 * factor1
+            Z2_234 = c1 * T13 + s1 * T23
+            v2 = T33 * T33 + Z2_234 * Z2_234
+            free234 = v2 <= m3
+            factor234 = 1.0 / math.sqrt(v2)
+            v3 = T33 * factor234
+            s234 = Z2_234 * factor234
+            S5 = c1 * T21 - s1 * T11
+            C5 = c1 * T22 - s1 * T12
+            v4 = S5 * S5 + C5 * C5
+            v5 = 1.0 / math.sqrt(v4)
+            v6 = C5 * v5
+            v7 = S5 * v5
+            v8 = d5 * v3
+            Z1_3 = T34 - d1 - v8
+            v9 = d5 * s234
+            Z2_3_p = w1 - a1 - v9
+            Z2_3_m = v9 - (a1 + w1)
+            v10 = Z1_3 * Z1_3
+            N3_p = v10 + Z2_3_p * Z2_3_p
+            N3_m = v10 + Z2_3_m * Z2_3_m
+            K3_p = N3_p - k1
+            K3_m = N3_m - k1
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v11 = w3_p - w3_p
+            v12 = w3_m - w3_m
+            s3_p = k2 * w3_p
+            s3_m = k2 * w3_m
+            c3_p = k2 * K3_p
+            c3_m = k2 * K3_m
+            X1_2_p = a2 + a3 * c3_p
+            X1_2_m = a2 + a3 * c3_m
+            Y1_2_p = a3 * s3_p
+            Y1_2_m = a3 * s3_m
+            v13 = Z1_3 * X1_2_p
+            v14 = Z1_3 * X1_2_m
+            v15 = Z2_3_p * Y1_2_p
+            v16 = Z2_3_m * Y1_2_m
+            S2_pp = v13 - v15
+            S2_pm = v13 + v15
+            S2_mp = v14 - v16
+            S2_mm = v14 + v16
+            v17 = Z2_3_p * X1_2_p
+            v18 = Z2_3_m * X1_2_m
+            v19 = Z1_3 * Y1_2_p
+            v20 = Z1_3 * Y1_2_m
+            C2_pp = v17 + v19
+            C2_pm = v17 - v19
+            C2_mp = v18 + v20
+            C2_mm = v18 - v20
+            v21 = S2_pp * S2_pp + C2_pp * C2_pp
+            v22 = S2_pm * S2_pm + C2_pm * C2_pm
+            v23 = S2_mp * S2_mp + C2_mp * C2_mp
+            v24 = S2_mm * S2_mm + C2_mm * C2_mm
+            free2_pp = v21 <= m4
+            free2_pm = v22 <= m4
+            free2_mp = v23 <= m4
+            free2_mm = v24 <= m4
+            factor2_pp = 1.0 / math.sqrt(v21)
+            factor2_pm = 1.0 / math.sqrt(v22)
+            factor2_mp = 1.0 / math.sqrt(v23)
+            factor2_mm = 1.0 / math.sqrt(v24)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            v25 = c1 * v3
+            v26 = a1 + v9
+            v27 = a1 - v9
+            v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp)
+            v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm)
+            v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp)
+            v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm)
+            v32 = s1 * v3
+            v33 = d1 + v8
+            v34 = math.sqrt(-1.0)
+            v35 = (
+                0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and
+                (abs(T31 + s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and
+                (abs(T22 + (v7 * v32 - c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v32 + c1 * v7))
+                <= pose_slack and (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (v6 * v25 - s1
+                * v7)) <= pose_slack and abs(T12 + (s1 * v6 + v7 * v25)) <= pose_slack)))))))) else
+                v34
+            )
+            v36 = (
+                0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 * s2_pp))) <=
+                pose_slack1 and (abs(T14 - c1 * v28) <= pose_slack1 and abs(T24 - s1 * v28) <=
+                pose_slack1)) else v34
+            )
+            v37 = (
+                0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 * s2_pm))) <=
+                pose_slack1 and (abs(T14 - c1 * v29) <= pose_slack1 and abs(T24 - s1 * v29) <=
+                pose_slack1)) else v34
+            )
+            v38 = (
+                0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 * s2_mp))) <=
+                pose_slack1 and (abs(T14 + c1 * v30) <= pose_slack1 and abs(T24 + s1 * v30) <=
+                pose_slack1)) else v34
+            )
+            v39 = (
+                0.0 if (abs(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 * s2_mm))) <=
+                pose_slack1 and (abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <=
+                pose_slack1)) else v34
+            )
+            doubt = (
+                free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm
+                or (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach
+                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m3 or (free234 or v1 <=
+                m1)))))))
+            )
+            work[2112 + k] = S5
+            work[3200 + k] = v11
+            work[3232 + k] = v12
+            work[3264 + k] = v35
+            work[3296 + k] = v36
+            work[3328 + k] = v37
+            work[3360 + k] = v38
+            work[3392 + k] = v39
+            work[3424 + k] = doubt
+            work[3456 + k] = T24
+            work[3488 + k] = Z2_234
+            work[3520 + k] = -S5
+            work[3552 + k] = w3_p
+            work[3584 + k] = w3_m
+            work[3616 + k] = S2_pp
+            work[3648 + k] = S2_pm
+            work[3680 + k] = S2_mp
+            work[3712 + k] = S2_mm
+            work[3744 + k] = T14
+            work[3776 + k] = -T33
+            work[3808 + k] = -C5
+            work[3840 + k] = K3_p
+            work[3872 + k] = K3_m
+            work[3904 + k] = C2_pp
+            work[3936 + k] = C2_pm
+            work[3968 + k] = C2_mp
+            work[4000 + k] = C2_mm
+        for k in range(3456, 3744):
+            work[k] = _atan2(work[k], work[k + 288])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            S5 = work[2112 + k]
+            v11 = work[3200 + k]
+            v12 = work[3232 + k]
+            v35 = work[3264 + k]
+            v36 = work[3296 + k]
+            v37 = work[3328 + k]
+            v38 = work[3360 + k]
+            v39 = work[3392 + k]
+            doubt = work[3424 + k] != 0.0
+            angle1 = work[3456 + k]
+            angle1_ = work[3488 + k]
+            angle1__ = work[3520 + k]
+            angle1___ = work[3552 + k]
+            angle1____ = work[3584 + k]
+            angle1_____ = work[3616 + k]
+            angle1______ = work[3648 + k]
+            angle1_______ = work[3680 + k]
+            angle1________ = work[3712 + k]
+            v40 = angle1_____ - offset2
+            v41 = angle1______ - offset2
+            v42 = angle1_______ - offset2
+            v43 = angle1________ - offset2
+            v44 = angle1_ - (angle1___ + angle1_____) - offset4
+            v45 = angle1_ - (angle1______ - angle1___) - offset4
+            v46 = offset4 + (angle1_ + (angle1____ + angle1_______))
+            v47 = offset4 + (angle1_ + (angle1________ - angle1____))
+            v48 = v44 - (m5 if half_turn < v44 else 0.0) + (m5 if v44 <= -half_turn else 0.0)
+            v49 = v45 - (m5 if half_turn < v45 else 0.0) + (m5 if v45 <= -half_turn else 0.0)
+            v50 = (m5 if -v46 <= -half_turn else 0.0) - (v46 + (m5 if half_turn < -v46 else 0.0))
+            v51 = (m5 if -v47 <= -half_turn else 0.0) - (v47 + (m5 if half_turn < -v47 else 0.0))
+            v52 = v35 + (angle1 + v11)
+            v53 = v35 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v36 + v52
+            q1_pm = v37 + v52
+            q1_mp = v38 + v53
+            q1_mm = v39 + v53
+            q2_pp = v36 + (v35 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
+            q2_pm = v37 + (v35 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
+            q2_mp = v38 + (v35 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
+            q2_mm = v39 + (v35 + (v43 + (m5 if v43 <= -half_turn else 0.0)))
+            q3_pp = v36 + (angle1___ + v35)
+            q3_pm = v37 + (v35 - angle1___)
+            q3_mp = v38 + (angle1____ + v35)
+            q3_mm = v39 + (v35 - angle1____)
+            q4_pp = v36 + (v35 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
+            q4_pm = v37 + (v35 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
+            q4_mp = v38 + (v35 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
+            q4_mm = v39 + (v35 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
+            v54 = v35 + (angle1__ + v11)
+            v55 = v35 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            q5_pp = v36 + v54
+            q5_pm = v37 + v54
+            q5_mp = v38 + v55
+            q5_mm = v39 + v55
+            _5184 = q1_pp
+            work[5184 + k] = _5184
+            _5216 = q2_pp
+            work[5216 + k] = _5216
+            _5248 = q3_pp
+            work[5248 + k] = _5248
+            _5280 = q4_pp
+            work[5280 + k] = _5280
+            _5312 = q5_pp
+            work[5312 + k] = _5312
+            _5344 = q1_pm
+            work[5344 + k] = _5344
+            _5376 = q2_pm
+            work[5376 + k] = _5376
+            _5408 = q3_pm
+            work[5408 + k] = _5408
+            _5440 = q4_pm
+            work[5440 + k] = _5440
+            _5472 = q5_pm
+            work[5472 + k] = _5472
+            _5504 = q1_mp
+            work[5504 + k] = _5504
+            _5536 = q2_mp
+            work[5536 + k] = _5536
+            _5568 = q3_mp
+            work[5568 + k] = _5568
+            _5600 = q4_mp
+            work[5600 + k] = _5600
+            _5632 = q5_mp
+            work[5632 + k] = _5632
+            _5664 = q1_mm
+            work[5664 + k] = _5664
+            _5696 = q2_mm
+            work[5696 + k] = _5696
+            _5728 = q3_mm
+            work[5728 + k] = _5728
+            _5760 = q4_mm
+            work[5760 + k] = _5760
+            _5792 = q5_mm
+            work[5792 + k] = _5792
+            work[5824 + k] = UNREACHABLE if _5184 != _5184 else OK
+            work[5856 + k] = UNREACHABLE if _5344 != _5344 else OK
+            work[5888 + k] = UNREACHABLE if _5504 != _5504 else OK
+            work[5920 + k] = UNREACHABLE if _5664 != _5664 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(5):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -700,14 +1244,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

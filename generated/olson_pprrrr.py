@@ -22,7 +22,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "olson_pprrrr"
 METHOD = "closed form"
@@ -59,6 +61,11 @@ near_limit = 0.001  # a length whose direction is good to few digits
 free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
 reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-24  # free_limit^2
+m2 = 1e-06  # near_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -76,7 +83,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -106,7 +113,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -153,6 +160,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -396,7 +406,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -412,7 +422,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -444,7 +454,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -461,7 +471,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -482,15 +492,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -506,6 +513,125 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta3, type 2: U3[2, 3]
+    v1 = T23 * T23 + T13 * T13
+    w3 = math.sqrt(v1)
+    factor3 = 1.0 / w3
+    c3 = T23 * factor3
+    v2 = T13 * factor3
+    angle1 = _atan2(-T13, T23)
+
+    # theta45, type 3: U3[3, 3] and U3[1, 3]
+    angle1_ = _atan2(-w3, -T33)
+
+    # theta6, type 3: U3[2, 2] and U3[2, 1]
+    Z1_6 = c3 * T12 - v2 * T22
+    Z2_6 = c3 * T11 - v2 * T21
+    angle1__ = _atan2(-Z2_6, -Z1_6)
+
+    # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
+    X5 = a4 * T33
+    Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31)
+    v3 = d6 * T33 + (d3 - T34)
+    N5 = X5 * X5 + Y5 * Y5
+    D5 = N5 - v3 * v3
+    free5 = N5 <= free_limit_squared2
+    v4 = 2.0 * abs(v3)
+    w5 = math.sqrt(D5)
+    v5 = w5 - w5
+    inverse5 = 1.0 / N5
+    v6 = X5 * v3
+    v7 = Y5 * v3
+    v8 = X5 * w5
+    v9 = v7 + v8
+    v10 = v7 - v8
+    v11 = Y5 * w5
+    v12 = v11 - v6
+    v13 = v6 + v11
+    angle1___ = _atan2(v12, -v9)
+    angle1____ = _atan2(-v13, -v10)
+    angle1_____ = _atan2(-v13, v10)
+    angle1______ = _atan2(v12, v9)
+
+    # r2, type 1: U0 A6^-1 [1, 4]
+    wx = T14 - d6 * T13
+    v14 = w3 * (inverse5 * v12) - T33 * (inverse5 * v9)
+    v15 = w3 * (inverse5 * v13)
+    v16 = v15 + T33 * (inverse5 * v10)
+    v17 = v15 - T33 * (inverse5 * -v10)
+    v18 = a4 * v2
+    q2_pp = wx - v14 * v18
+    q2_pm = wx + v16 * v18
+    q2_mp = wx + v17 * v18
+    q2_mm = wx + -v14 * v18
+
+    # r1, type 1: U0 A6^-1 [2, 4]
+    wy = T24 - d6 * T23
+    v19 = a4 * c3
+    q1_pp = wy - v14 * v19
+    q1_pm = wy + v16 * v19
+    q1_mp = wy + v17 * v19
+    q1_mm = wy + -v14 * v19
+
+    # joint values
+    v20 = angle1_ - angle1___
+    v21 = angle1_ - angle1____
+    v22 = angle1_ + angle1_____
+    v23 = angle1_ + angle1______
+    q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+    q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+    q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
+    q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+    q3_pp = angle1 + v5
+    q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
+    q6_pp = angle1__ + v5
+    q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
+    doubt = (
+        -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 * (merge_slack1
+        + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = q2_pp
+    q[0, 2] = q3_pp
+    q[0, 3] = q4_pp
+    q[0, 4] = angle1___
+    q[0, 5] = q6_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pm
+    q[1, 1] = q2_pm
+    q[1, 2] = q3_pp
+    q[1, 3] = q4_pm
+    q[1, 4] = angle1____
+    q[1, 5] = q6_pp
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = q2_mp
+    q[2, 2] = q3_mp
+    q[2, 3] = q4_mp
+    q[2, 4] = angle1_____
+    q[2, 5] = q6_mp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mm
+    q[3, 1] = q2_mm
+    q[3, 2] = q3_mp
+    q[3, 3] = q4_mm
+    q[3, 4] = angle1______
+    q[3, 5] = q6_mp
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -529,13 +655,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -552,10 +688,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 6)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -617,10 +751,225 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2720, 2752, 2784, 2816, 2848, 2880],
+    [2912, 2944, 2784, 2976, 3008, 2880],
+    [3040, 3072, 3104, 3136, 3168, 3200],
+    [3232, 3264, 3104, 3296, 3328, 3200],
+])
+_KINDS = np.array([3360, 3392, 3424, 3456])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(3488)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T23 * T23 + T13 * T13
+            w3 = math.sqrt(v1)
+            factor3 = 1.0 / w3
+            c3 = T23 * factor3
+            v2 = T13 * factor3
+            Z1_6 = c3 * T12 - v2 * T22
+            Z2_6 = c3 * T11 - v2 * T21
+            X5 = a4 * T33
+            Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31)
+            v3 = d6 * T33 + (d3 - T34)
+            N5 = X5 * X5 + Y5 * Y5
+            D5 = N5 - v3 * v3
+            free5 = N5 <= free_limit_squared2
+            v4 = 2.0 * abs(v3)
+            w5 = math.sqrt(D5)
+            v5 = w5 - w5
+            inverse5 = 1.0 / N5
+            v6 = X5 * v3
+            v7 = Y5 * v3
+            v8 = X5 * w5
+            v9 = v7 + v8
+            v10 = v7 - v8
+            v11 = Y5 * w5
+            v12 = v11 - v6
+            v13 = v6 + v11
+            wx = T14 - d6 * T13
+            v14 = w3 * (inverse5 * v12) - T33 * (inverse5 * v9)
+            v15 = w3 * (inverse5 * v13)
+            v16 = v15 + T33 * (inverse5 * v10)
+            v17 = v15 - T33 * (inverse5 * -v10)
+            v18 = a4 * v2
+            q2_pp = wx - v14 * v18
+            q2_pm = wx + v16 * v18
+            q2_mp = wx + v17 * v18
+            q2_mm = wx + -v14 * v18
+            wy = T24 - d6 * T23
+            v19 = a4 * c3
+            q1_pp = wy - v14 * v19
+            q1_pm = wy + v16 * v19
+            q1_mp = wy + v17 * v19
+            q1_mm = wy + -v14 * v19
+            doubt = (
+                -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 *
+                (merge_slack1 + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
+            )
+            work[1312 + k] = Z2_6
+            work[1568 + k] = v5
+            work[1600 + k] = q2_pp
+            work[1632 + k] = q2_pm
+            work[1664 + k] = q2_mp
+            work[1696 + k] = q2_mm
+            work[1728 + k] = q1_pp
+            work[1760 + k] = q1_pm
+            work[1792 + k] = q1_mp
+            work[1824 + k] = q1_mm
+            work[1856 + k] = doubt
+            work[1888 + k] = -T13
+            work[1920 + k] = -w3
+            work[1952 + k] = -Z2_6
+            work[1984 + k] = v12
+            work[2016 + k] = -v13
+            work[2048 + k] = -v13
+            work[2080 + k] = v12
+            work[2112 + k] = T23
+            work[2144 + k] = -T33
+            work[2176 + k] = -Z1_6
+            work[2208 + k] = -v9
+            work[2240 + k] = -v10
+            work[2272 + k] = v10
+            work[2304 + k] = v9
+        for k in range(1888, 2112):
+            work[k] = _atan2(work[k], work[k + 224])
+        for k in range(0, 32):
+            T13 = work[64 + k]
+            Z2_6 = work[1312 + k]
+            v5 = work[1568 + k]
+            q2_pp = work[1600 + k]
+            q2_pm = work[1632 + k]
+            q2_mp = work[1664 + k]
+            q2_mm = work[1696 + k]
+            q1_pp = work[1728 + k]
+            q1_pm = work[1760 + k]
+            q1_mp = work[1792 + k]
+            q1_mm = work[1824 + k]
+            doubt = work[1856 + k] != 0.0
+            angle1 = work[1888 + k]
+            angle1_ = work[1920 + k]
+            angle1__ = work[1952 + k]
+            angle1___ = work[1984 + k]
+            angle1____ = work[2016 + k]
+            angle1_____ = work[2048 + k]
+            angle1______ = work[2080 + k]
+            v20 = angle1_ - angle1___
+            v21 = angle1_ - angle1____
+            v22 = angle1_ + angle1_____
+            v23 = angle1_ + angle1______
+            q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+            q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+            q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
+            q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+            q3_pp = angle1 + v5
+            q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
+            q6_pp = angle1__ + v5
+            q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
+            _2720 = q1_pp
+            work[2720 + k] = _2720
+            _2752 = q2_pp
+            work[2752 + k] = _2752
+            _2784 = q3_pp
+            work[2784 + k] = _2784
+            _2816 = q4_pp
+            work[2816 + k] = _2816
+            _2848 = angle1___
+            work[2848 + k] = _2848
+            _2880 = q6_pp
+            work[2880 + k] = _2880
+            _2912 = q1_pm
+            work[2912 + k] = _2912
+            _2944 = q2_pm
+            work[2944 + k] = _2944
+            _2976 = q4_pm
+            work[2976 + k] = _2976
+            _3008 = angle1____
+            work[3008 + k] = _3008
+            _3040 = q1_mp
+            work[3040 + k] = _3040
+            _3072 = q2_mp
+            work[3072 + k] = _3072
+            _3104 = q3_mp
+            work[3104 + k] = _3104
+            _3136 = q4_mp
+            work[3136 + k] = _3136
+            _3168 = angle1_____
+            work[3168 + k] = _3168
+            _3200 = q6_mp
+            work[3200 + k] = _3200
+            _3232 = q1_mm
+            work[3232 + k] = _3232
+            _3264 = q2_mm
+            work[3264 + k] = _3264
+            _3296 = q4_mm
+            work[3296 + k] = _3296
+            _3328 = angle1______
+            work[3328 + k] = _3328
+            work[3360 + k] = UNREACHABLE if _2720 != _2720 else OK
+            work[3392 + k] = UNREACHABLE if _2912 != _2912 else OK
+            work[3424 + k] = UNREACHABLE if _3040 != _3040 else OK
+            work[3456 + k] = UNREACHABLE if _3232 != _3232 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -631,14 +980,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "phantomx"
 METHOD = "closed form"
@@ -63,6 +65,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.00355  # a pose may be rounded by this [mm]
 k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / (2 * a3 * a2) [mm^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 1.5882300624999998e-38  # free_limit_squared2^2 [mm^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -79,7 +85,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -109,7 +115,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -157,6 +163,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -406,7 +415,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -422,7 +431,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -454,7 +463,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -471,7 +480,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -492,15 +501,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(4):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -516,6 +522,124 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 3: U0[1, 3] and U0[2, 3]
+    v1 = T12 * T12 + T22 * T22
+    v2 = 1.0 / math.sqrt(v1)
+    v3 = T22 * v2
+    s1 = T12 * v2
+
+    # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
+    v4 = T33 * T33 + T31 * T31
+    free2m3m4 = v4 <= m1
+    factor2m3m4 = 1.0 / math.sqrt(v4)
+    v5 = T31 * factor2m3m4
+    s2m3m4 = T33 * factor2m3m4
+    angle1 = _atan2(T33, -T31)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v6 = a4 * s2m3m4
+    Z1_3 = T34 - d1 - v6
+    v7 = a4 * v5
+    Z2_3 = s1 * T24 - v3 * T14 - v7
+    N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    s3 = k2 * w3
+    c3 = k2 * K3
+    angle1_ = _atan2(w3, K3)
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v8 = a3 * s3
+    X2_2 = a2 + a3 * c3
+    v9 = Z1_3 * X2_2
+    v10 = Z2_3 * v8
+    S2_p = v9 - v10
+    S2_m = v9 + v10
+    v11 = Z2_3 * X2_2
+    v12 = Z1_3 * v8
+    v13 = v11 + v12
+    v14 = v11 - v12
+    v15 = S2_p * S2_p + v13 * v13
+    v16 = S2_m * S2_m + v14 * v14
+    free2_p = v15 <= m2
+    free2_m = v16 <= m2
+    factor2_p = 1.0 / math.sqrt(v15)
+    factor2_m = 1.0 / math.sqrt(v16)
+    v17 = v13 * factor2_p
+    v18 = v14 * factor2_m
+    s2_p = S2_p * factor2_p
+    s2_m = S2_m * factor2_m
+    angle1__ = _atan2(S2_p, -v13)
+    angle1___ = _atan2(S2_m, -v14)
+
+    # is the pose one that the arm can take?
+    v19 = a3 * (s3 * s2_p - c3 * v17) - (v7 + a2 * v17)
+    v20 = a3 * (s3 * s2_m + c3 * v18) + (v7 + a2 * v18)
+    v21 = d1 + v6
+    v22 = math.sqrt(-1.0)
+    v23 = (
+        0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 - T33) <=
+        pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <= pose_slack and
+        (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack and (abs(T13 + v3 * v5)
+        <= pose_slack and abs(T11 - v3 * s2m3m4) <= pose_slack)))))))) else v22
+    )
+    v24 = (
+        0.0 if (abs(T34 - (a3 * (c3 * s2_p + s3 * v17) + (v21 + a2 * s2_p))) <= pose_slack1 and
+        (abs(T14 - v3 * v19) <= pose_slack1 and abs(T24 + s1 * v19) <= pose_slack1)) else v22
+    )
+    v25 = (
+        0.0 if (abs(T34 - (a3 * (c3 * s2_m - s3 * v18) + (v21 + a2 * s2_m))) <= pose_slack1 and
+        (abs(T14 + v3 * v20) <= pose_slack1 and abs(T24 - s1 * v20) <= pose_slack1)) else v22
+    )
+
+    # joint values
+    v26 = angle1__ - offset2
+    v27 = angle1___ - offset2
+    v28 = angle1__ - angle1_ - angle1
+    v29 = angle1_ + angle1___ - angle1
+    angle1____ = _atan2(T12, -T22)
+    v30 = v23 + (angle1____ + (w3 - w3))
+    q1_p = v24 + v30
+    q1_m = v25 + v30
+    q2_p = v24 + (v23 + (v26 + (m3 if v26 <= -half_turn else 0.0)))
+    q2_m = v25 + (v23 + (v27 + (m3 if v27 <= -half_turn else 0.0)))
+    q3_p = v24 + (angle1_ + v23)
+    q3_m = v25 + (v23 - angle1_)
+    q4_p = (
+        v24 + (v23 + (v28 - (m3 if half_turn < v28 else 0.0) + (m3 if v28 <= -half_turn else 0.0)))
+    )
+    q4_m = (
+        v25 + (v23 + (v29 - (m3 if half_turn < v29 else 0.0) + (m3 if v29 <= -half_turn else 0.0)))
+    )
+    doubt = (
+        free2_m or (free2m3m4 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or (free2_p or
+        (free2m3m4 or free2_p)))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -539,13 +663,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (4,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -562,10 +696,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -625,10 +757,204 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(4)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2752, 2784, 2816, 2848],
+    [2880, 2912, 2944, 2976],
+])
+_KINDS = np.array([3008, 3040])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(3072)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T12 * T12 + T22 * T22
+            v2 = 1.0 / math.sqrt(v1)
+            v3 = T22 * v2
+            s1 = T12 * v2
+            v4 = T33 * T33 + T31 * T31
+            free2m3m4 = v4 <= m1
+            factor2m3m4 = 1.0 / math.sqrt(v4)
+            v5 = T31 * factor2m3m4
+            s2m3m4 = T33 * factor2m3m4
+            v6 = a4 * s2m3m4
+            Z1_3 = T34 - d1 - v6
+            v7 = a4 * v5
+            Z2_3 = s1 * T24 - v3 * T14 - v7
+            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+            K3 = N3 - k1
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            s3 = k2 * w3
+            c3 = k2 * K3
+            v8 = a3 * s3
+            X2_2 = a2 + a3 * c3
+            v9 = Z1_3 * X2_2
+            v10 = Z2_3 * v8
+            S2_p = v9 - v10
+            S2_m = v9 + v10
+            v11 = Z2_3 * X2_2
+            v12 = Z1_3 * v8
+            v13 = v11 + v12
+            v14 = v11 - v12
+            v15 = S2_p * S2_p + v13 * v13
+            v16 = S2_m * S2_m + v14 * v14
+            free2_p = v15 <= m2
+            free2_m = v16 <= m2
+            factor2_p = 1.0 / math.sqrt(v15)
+            factor2_m = 1.0 / math.sqrt(v16)
+            v17 = v13 * factor2_p
+            v18 = v14 * factor2_m
+            s2_p = S2_p * factor2_p
+            s2_m = S2_m * factor2_m
+            v19 = a3 * (s3 * s2_p - c3 * v17) - (v7 + a2 * v17)
+            v20 = a3 * (s3 * s2_m + c3 * v18) + (v7 + a2 * v18)
+            v21 = d1 + v6
+            v22 = math.sqrt(-1.0)
+            v23 = (
+                0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 -
+                T33) <= pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <=
+                pose_slack and (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack
+                and (abs(T13 + v3 * v5) <= pose_slack and abs(T11 - v3 * s2m3m4) <=
+                pose_slack)))))))) else v22
+            )
+            v24 = (
+                0.0 if (abs(T34 - (a3 * (c3 * s2_p + s3 * v17) + (v21 + a2 * s2_p))) <= pose_slack1
+                and (abs(T14 - v3 * v19) <= pose_slack1 and abs(T24 + s1 * v19) <= pose_slack1))
+                else v22
+            )
+            v25 = (
+                0.0 if (abs(T34 - (a3 * (c3 * s2_m - s3 * v18) + (v21 + a2 * s2_m))) <= pose_slack1
+                and (abs(T14 + v3 * v20) <= pose_slack1 and abs(T24 - s1 * v20) <= pose_slack1))
+                else v22
+            )
+            doubt = (
+                free2_m or (free2m3m4 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach
+                and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or
+                (free2_p or (free2m3m4 or free2_p)))
+            )
+            work[1728 + k] = w3
+            work[1888 + k] = v23
+            work[1920 + k] = v24
+            work[1952 + k] = v25
+            work[1984 + k] = doubt
+            work[2016 + k] = T33
+            work[2048 + k] = w3
+            work[2080 + k] = S2_p
+            work[2112 + k] = S2_m
+            work[2144 + k] = T12
+            work[2176 + k] = -T31
+            work[2208 + k] = K3
+            work[2240 + k] = -v13
+            work[2272 + k] = -v14
+            work[2304 + k] = -T22
+        for k in range(2016, 2176):
+            work[k] = _atan2(work[k], work[k + 160])
+        for k in range(0, 32):
+            w3 = work[1728 + k]
+            v23 = work[1888 + k]
+            v24 = work[1920 + k]
+            v25 = work[1952 + k]
+            doubt = work[1984 + k] != 0.0
+            angle1 = work[2016 + k]
+            angle1_ = work[2048 + k]
+            angle1__ = work[2080 + k]
+            angle1___ = work[2112 + k]
+            angle1____ = work[2144 + k]
+            v26 = angle1__ - offset2
+            v27 = angle1___ - offset2
+            v28 = angle1__ - angle1_ - angle1
+            v29 = angle1_ + angle1___ - angle1
+            v30 = v23 + (angle1____ + (w3 - w3))
+            q1_p = v24 + v30
+            q1_m = v25 + v30
+            q2_p = v24 + (v23 + (v26 + (m3 if v26 <= -half_turn else 0.0)))
+            q2_m = v25 + (v23 + (v27 + (m3 if v27 <= -half_turn else 0.0)))
+            q3_p = v24 + (angle1_ + v23)
+            q3_m = v25 + (v23 - angle1_)
+            q4_p = (
+                v24 + (v23 + (v28 - (m3 if half_turn < v28 else 0.0) + (m3 if v28 <= -half_turn else
+                0.0)))
+            )
+            q4_m = (
+                v25 + (v23 + (v29 - (m3 if half_turn < v29 else 0.0) + (m3 if v29 <= -half_turn else
+                0.0)))
+            )
+            _2752 = q1_p
+            work[2752 + k] = _2752
+            _2784 = q2_p
+            work[2784 + k] = _2784
+            _2816 = q3_p
+            work[2816 + k] = _2816
+            _2848 = q4_p
+            work[2848 + k] = _2848
+            _2880 = q1_m
+            work[2880 + k] = _2880
+            _2912 = q2_m
+            work[2912 + k] = _2912
+            _2944 = q3_m
+            work[2944 + k] = _2944
+            _2976 = q4_m
+            work[2976 + k] = _2976
+            work[3008 + k] = UNREACHABLE if _2752 != _2752 else OK
+            work[3040 + k] = UNREACHABLE if _2880 != _2880 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(4):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -639,14 +965,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

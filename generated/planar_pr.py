@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "planar_pr"
 METHOD = "closed form"
@@ -77,7 +78,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -125,6 +126,9 @@ def fk(q):
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -206,15 +210,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(2):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -228,6 +229,38 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, _ = pose
+
+    # theta2, r1, type 5: U0[2, 4] and U0[1, 4]
+    V1_2 = k1 * T24
+    V2_2 = k1 * T14
+    v1 = k2 * V1_2 + k3 * V2_2
+    v2 = k2 * V2_2 - k3 * V1_2
+    D1 = k4 - v2 * v2
+    w2 = math.sqrt(D1)
+    doubt = -k5 <= D1 and not (k6 < D1)
+    q1_p = k7 * (v1 + w2)
+    q1_m = k7 * (v1 - w2)
+    angle1 = _atan2(V1_2 - k2 * q1_p, V2_2 - k3 * q1_p)
+    angle1_ = _atan2(V1_2 - k2 * q1_m, V2_2 - k3 * q1_m)
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = angle1
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = angle1_
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -251,13 +284,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 2) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 2) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (2,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (2,):
         raise ValueError("q_seed must be (2,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -274,10 +317,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 2)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (2,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (2,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -339,10 +380,88 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(2)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [960, 992],
+    [1024, 1056],
+])
+_KINDS = np.array([1088, 1120])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1152)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            V1_2 = k1 * T24
+            V2_2 = k1 * T14
+            v1 = k2 * V1_2 + k3 * V2_2
+            v2 = k2 * V2_2 - k3 * V1_2
+            D1 = k4 - v2 * v2
+            w2 = math.sqrt(D1)
+            doubt = -k5 <= D1 and not (k6 < D1)
+            q1_p = k7 * (v1 + w2)
+            q1_m = k7 * (v1 - w2)
+            work[800 + k] = doubt
+            work[576 + k] = q1_p
+            work[640 + k] = q1_m
+            work[832 + k] = V1_2 - k2 * q1_p
+            work[864 + k] = V1_2 - k2 * q1_m
+            work[896 + k] = V2_2 - k3 * q1_p
+            work[928 + k] = V2_2 - k3 * q1_m
+        for k in range(832, 896):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 32):
+            q1_p = work[576 + k]
+            q1_m = work[640 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            _960 = q1_p
+            work[960 + k] = _960
+            _992 = angle1
+            work[992 + k] = _992
+            _1024 = q1_m
+            work[1024 + k] = _1024
+            _1056 = angle1_
+            work[1056 + k] = _1056
+            work[1088 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1120 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(2):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -353,14 +472,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 2)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "planar_rp"
 METHOD = "closed form"
@@ -46,6 +47,12 @@ INVALID_POSE = 4  # NaN: T is no pose
 
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
+half_turn = 3.141592653589793  # pi [rad]
+low2 = -1e-09  # lowest value of joint 2
+high2 = 1.000000001  # highest value of joint 2
+m1 = 1e-24  # free_limit1^2 [m^2]
+m3 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -63,7 +70,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -93,7 +100,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -115,6 +122,9 @@ def fk(q):
     T[2, 1] = 1.0
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -193,15 +203,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(2):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -215,6 +222,39 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, _ = pose
+
+    # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
+    v1 = T14 * T14 + T24 * T24
+    q2_p = math.sqrt(v1)
+    doubt = v1 <= m1
+
+    # joint values
+    angle1 = _atan2(T14, -T24)
+    v2 = angle1 - offset1
+    v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
+    q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
+    q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
+    outside_p = q2_p < low2 or high2 < q2_p
+    outside_m = -q2_p < low2 or high2 < -q2_p
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_p else OK)
+    q[1, 0] = q1_m
+    q[1, 1] = -q2_p
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_m else OK)
+    return True
 
 
 @_jit
@@ -238,13 +278,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 2) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 2) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (2,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (2,):
         raise ValueError("q_seed must be (2,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -261,10 +311,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 2)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (2,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (2,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -326,10 +374,88 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(2)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [896, 928],
+    [960, 992],
+])
+_KINDS = np.array([1024, 1056])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1088)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            v1 = T14 * T14 + T24 * T24
+            q2_p = math.sqrt(v1)
+            doubt = v1 <= m1
+            outside_p = q2_p < low2 or high2 < q2_p
+            outside_m = -q2_p < low2 or high2 < -q2_p
+            work[576 + k] = q2_p
+            work[608 + k] = doubt
+            work[640 + k] = outside_p
+            work[672 + k] = outside_m
+            work[704 + k] = T14
+            work[736 + k] = -T24
+        for k in range(704, 736):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            q2_p = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            outside_p = work[640 + k] != 0.0
+            outside_m = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            v2 = angle1 - offset1
+            v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
+            q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
+            q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
+            _896 = q1_p
+            work[896 + k] = _896
+            _928 = q2_p
+            work[928 + k] = _928
+            _960 = q1_m
+            work[960 + k] = _960
+            _992 = -q2_p
+            work[992 + k] = _992
+            work[1024 + k] = UNREACHABLE if _896 != _896 else (OUT_OF_LIMITS if outside_p else OK)
+            work[1056 + k] = UNREACHABLE if _960 != _960 else (OUT_OF_LIMITS if outside_m else OK)
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(2):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -340,14 +466,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 2)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

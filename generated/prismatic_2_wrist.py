@@ -23,7 +23,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "prismatic_2_wrist"
 METHOD = "closed form"
@@ -78,6 +79,11 @@ f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
+turn1 = -1.754739783332072  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-24  # free_limit^2
+m3 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -95,7 +101,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -181,6 +187,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -470,15 +479,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -492,6 +498,219 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U2 A6^-1 [3, 4]
+    wy = T24 - d6 * T23
+    v1 = sat2 * wy
+    wx = T14 - d6 * T13
+    v2 = sat2 * wx
+    wz = T34 - d6 * T33
+    Z1 = cat2 * wz - k1
+    N1 = v1 * v1 + v2 * v2
+    D1 = N1 - Z1 * Z1
+    free1 = N1 <= free_limit_squared2
+    v3 = 2.0 * abs(Z1)
+    w1 = math.sqrt(D1)
+    v4 = w1 - w1
+    inverse1 = 1.0 / N1
+    v5 = v1 * Z1
+    v6 = v2 * Z1
+    v7 = v1 * w1
+    v8 = v7 - v6
+    v9 = v6 + v7
+    c1_p = inverse1 * v8
+    v10 = inverse1 * v9
+    v11 = v2 * w1
+    v12 = v5 + v11
+    v13 = v5 - v11
+    v14 = inverse1 * v12
+    v15 = inverse1 * v13
+
+    # theta3, type 2: U0 A6^-1 [3, 4]
+    Z3 = wz - k4
+    D3 = k5 - Z3 * Z3
+    v16 = 2.0 * abs(Z3)
+    w3 = math.sqrt(D3)
+    v17 = w3 - w3
+    v18 = k2 * Z3
+    v19 = k3 * Z3
+    v20 = k2 * w3
+    v21 = k6 * (v19 + v20)
+    v22 = k6 * (v19 - v20)
+    v23 = k3 * w3
+    s3_p = k6 * (v18 - v23)
+    s3_m = k6 * (v18 + v23)
+    angle1 = _atan2(w3, Z3)
+    q3__p = angle1 - turn1
+    v24 = turn1 + angle1
+
+    # r2, type 1: U1 A6^-1 [3, 4]
+    v25 = a3 * s3_p - d4 * v21
+    v26 = a3 * s3_m - d4 * v22
+    v27 = c1_p * -wy - wx * v14
+    v28 = v10 * -wy + wx * v15
+
+    # theta4, type 2: U4[3, 3]
+    v29 = cat2 * T13
+    v30 = cat2 * T23
+    v31 = sat2 * T33
+    v32 = c1_p * v29 - v14 * v30 - v31
+    v33 = v31 + (v10 * v29 + v15 * v30)
+    v34 = T13 * v14 + T23 * c1_p
+    v35 = T13 * v15 - T23 * v10
+    X4_pp = v21 * v32 - s3_p * v34
+    X4_pm = v22 * v32 - s3_m * v34
+    v36 = v21 * v33 + s3_p * v35
+    v37 = v22 * v33 + s3_m * v35
+    v38 = sat2 * T13
+    v39 = sat2 * T23
+    v40 = cat2 * T33
+    v41 = v40 + (c1_p * v38 - v14 * v39)
+    v42 = v40 - (v10 * v38 + v15 * v39)
+    v43 = v41 * v41
+    v44 = v42 * v42
+    v45 = v43 + X4_pp * X4_pp
+    v46 = v43 + X4_pm * X4_pm
+    v47 = v44 + v36 * v36
+    v48 = v44 + v37 * v37
+    angle1_ = _atan2(-v41, -X4_pp)
+    angle1__ = _atan2(-v41, -X4_pm)
+    angle1___ = _atan2(-v42, v36)
+    angle1____ = _atan2(-v42, v37)
+    v49 = math.copysign(half_turn, -v41) * h1
+    v50 = math.copysign(half_turn, -v42) * h1
+    q4_ppm = angle1_ - v49
+    q4_pmm = angle1__ - v49
+    q4_mpm = angle1___ - v50
+    q4_mmm = angle1____ - v50
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1_____ = _atan2(-math.sqrt(v45), -(v21 * v34 + s3_p * v32))
+    angle1______ = _atan2(-math.sqrt(v46), -(v22 * v34 + s3_m * v32))
+    angle1_______ = _atan2(-math.sqrt(v47), s3_p * v33 - v21 * v35)
+    angle1________ = _atan2(-math.sqrt(v48), s3_m * v33 - v22 * v35)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v51 = sat2 * T12
+    v52 = sat2 * T22
+    v53 = cat2 * T32
+    v54 = v53 + (c1_p * v51 - v14 * v52)
+    v55 = v53 - (v10 * v51 + v15 * v52)
+    v56 = cat2 * T12
+    v57 = cat2 * T22
+    v58 = sat2 * T32
+    v59 = c1_p * v56 - v14 * v57 - v58
+    v60 = v58 + (v10 * v56 + v15 * v57)
+    v61 = c1_p * T22 + v14 * T12
+    v62 = v15 * T12 - v10 * T22
+    v63 = sat2 * T11
+    v64 = sat2 * T21
+    v65 = cat2 * T31
+    v66 = v65 + (c1_p * v63 - v14 * v64)
+    v67 = v65 - (v10 * v63 + v15 * v64)
+    v68 = cat2 * T11
+    v69 = cat2 * T21
+    v70 = sat2 * T31
+    v71 = c1_p * v68 - v14 * v69 - v70
+    v72 = v70 + (v10 * v68 + v15 * v69)
+    v73 = c1_p * T21 + v14 * T11
+    v74 = v15 * T11 - v10 * T21
+    v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66
+    v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66
+    v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67
+    v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67
+    angle1_________ = _atan2(v75, v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54)
+    angle1__________ = _atan2(v76, v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54)
+    angle1___________ = _atan2(v77, v42 * (s3_p * v62 + v21 * v60) - v36 * v55)
+    angle1____________ = _atan2(v78, v42 * (s3_m * v62 + v22 * v60) - v37 * v55)
+    q6_ppm = angle1_________ - h1 * math.copysign(half_turn, v75)
+    q6_pmm = angle1__________ - h1 * math.copysign(half_turn, v76)
+    q6_mpm = angle1___________ - h1 * math.copysign(half_turn, v77)
+    q6_mmm = angle1____________ - h1 * math.copysign(half_turn, v78)
+
+    # joint values
+    angle1_____________ = _atan2(-v12, v8)
+    q1_ppp = v17 + angle1_____________
+    angle1______________ = _atan2(-v13, -v9)
+    q1_mpp = v17 + angle1______________
+    q3_ppp = v4 + (q3__p - (m3 if half_turn < q3__p else 0.0))
+    q3_pmp = v4 - (v24 + (m3 if half_turn < -v24 else 0.0))
+    q2_mpp = v28 - v25
+    q2_mmp = v28 - v26
+    doubt = (
+        v48 <= m1 or (v47 <= m1 or (v46 <= m1 or (v45 <= m1 or (-(reach_slack1 * (reach_slack1 +
+        v16)) <= D3 and not (merge_slack1 * (merge_slack1 + v16) < D3) or (free1 or -(reach_slack1 *
+        (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v3) < D1)))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = -(v25 + v27)
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_
+    q[0, 4] = angle1_____
+    q[0, 5] = angle1_________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = -(v25 + v27)
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1_____
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = -(v26 + v27)
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1__
+    q[2, 4] = angle1______
+    q[2, 5] = angle1__________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = -(v26 + v27)
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1______
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1___
+    q[4, 4] = angle1_______
+    q[4, 5] = angle1___________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1_______
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1____
+    q[6, 4] = angle1________
+    q[6, 5] = angle1____________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -515,13 +734,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -538,10 +767,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -603,10 +830,345 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [5056, 5088, 5120, 5152, 5184, 5216],
+    [5056, 5088, 5120, 5248, 5280, 5312],
+    [5056, 5344, 5376, 5408, 5440, 5472],
+    [5056, 5344, 5376, 5504, 5536, 5568],
+    [5600, 5632, 5120, 5664, 5696, 5728],
+    [5600, 5632, 5120, 5760, 5792, 5824],
+    [5600, 5856, 5376, 5888, 5920, 5952],
+    [5600, 5856, 5376, 5984, 6016, 6048],
+])
+_KINDS = np.array([6080, 6112, 6144, 6176, 6208, 6240, 6272, 6304])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(6336)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wy = T24 - d6 * T23
+            v1 = sat2 * wy
+            wx = T14 - d6 * T13
+            v2 = sat2 * wx
+            wz = T34 - d6 * T33
+            Z1 = cat2 * wz - k1
+            N1 = v1 * v1 + v2 * v2
+            D1 = N1 - Z1 * Z1
+            free1 = N1 <= free_limit_squared2
+            v3 = 2.0 * abs(Z1)
+            w1 = math.sqrt(D1)
+            v4 = w1 - w1
+            inverse1 = 1.0 / N1
+            v5 = v1 * Z1
+            v6 = v2 * Z1
+            v7 = v1 * w1
+            v8 = v7 - v6
+            v9 = v6 + v7
+            c1_p = inverse1 * v8
+            v10 = inverse1 * v9
+            v11 = v2 * w1
+            v12 = v5 + v11
+            v13 = v5 - v11
+            v14 = inverse1 * v12
+            v15 = inverse1 * v13
+            Z3 = wz - k4
+            D3 = k5 - Z3 * Z3
+            v16 = 2.0 * abs(Z3)
+            w3 = math.sqrt(D3)
+            v17 = w3 - w3
+            v18 = k2 * Z3
+            v19 = k3 * Z3
+            v20 = k2 * w3
+            v21 = k6 * (v19 + v20)
+            v22 = k6 * (v19 - v20)
+            v23 = k3 * w3
+            s3_p = k6 * (v18 - v23)
+            s3_m = k6 * (v18 + v23)
+            v25 = a3 * s3_p - d4 * v21
+            v26 = a3 * s3_m - d4 * v22
+            v27 = c1_p * -wy - wx * v14
+            v28 = v10 * -wy + wx * v15
+            v29 = cat2 * T13
+            v30 = cat2 * T23
+            v31 = sat2 * T33
+            v32 = c1_p * v29 - v14 * v30 - v31
+            v33 = v31 + (v10 * v29 + v15 * v30)
+            v34 = T13 * v14 + T23 * c1_p
+            v35 = T13 * v15 - T23 * v10
+            X4_pp = v21 * v32 - s3_p * v34
+            X4_pm = v22 * v32 - s3_m * v34
+            v36 = v21 * v33 + s3_p * v35
+            v37 = v22 * v33 + s3_m * v35
+            v38 = sat2 * T13
+            v39 = sat2 * T23
+            v40 = cat2 * T33
+            v41 = v40 + (c1_p * v38 - v14 * v39)
+            v42 = v40 - (v10 * v38 + v15 * v39)
+            v43 = v41 * v41
+            v44 = v42 * v42
+            v45 = v43 + X4_pp * X4_pp
+            v46 = v43 + X4_pm * X4_pm
+            v47 = v44 + v36 * v36
+            v48 = v44 + v37 * v37
+            v49 = math.copysign(half_turn, -v41) * h1
+            v50 = math.copysign(half_turn, -v42) * h1
+            v51 = sat2 * T12
+            v52 = sat2 * T22
+            v53 = cat2 * T32
+            v54 = v53 + (c1_p * v51 - v14 * v52)
+            v55 = v53 - (v10 * v51 + v15 * v52)
+            v56 = cat2 * T12
+            v57 = cat2 * T22
+            v58 = sat2 * T32
+            v59 = c1_p * v56 - v14 * v57 - v58
+            v60 = v58 + (v10 * v56 + v15 * v57)
+            v61 = c1_p * T22 + v14 * T12
+            v62 = v15 * T12 - v10 * T22
+            v63 = sat2 * T11
+            v64 = sat2 * T21
+            v65 = cat2 * T31
+            v66 = v65 + (c1_p * v63 - v14 * v64)
+            v67 = v65 - (v10 * v63 + v15 * v64)
+            v68 = cat2 * T11
+            v69 = cat2 * T21
+            v70 = sat2 * T31
+            v71 = c1_p * v68 - v14 * v69 - v70
+            v72 = v70 + (v10 * v68 + v15 * v69)
+            v73 = c1_p * T21 + v14 * T11
+            v74 = v15 * T11 - v10 * T21
+            v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66
+            v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66
+            v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67
+            v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67
+            q2_mpp = v28 - v25
+            q2_mmp = v28 - v26
+            doubt = (
+                v48 <= m1 or (v47 <= m1 or (v46 <= m1 or (v45 <= m1 or (-(reach_slack1 *
+                (reach_slack1 + v16)) <= D3 and not (merge_slack1 * (merge_slack1 + v16) < D3) or
+                (free1 or -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not
+                (merge_slack1 * (merge_slack1 + v3) < D1)))))))
+            )
+            work[3392 + k] = v4
+            work[3424 + k] = v17
+            work[1600 + k] = v25
+            work[3168 + k] = v26
+            work[3456 + k] = v27
+            work[3488 + k] = v49
+            work[3520 + k] = v50
+            work[1120 + k] = v75
+            work[640 + k] = v76
+            work[576 + k] = v77
+            work[2560 + k] = v78
+            work[3552 + k] = q2_mpp
+            work[3584 + k] = q2_mmp
+            work[3616 + k] = doubt
+            work[3648 + k] = w3
+            work[3680 + k] = -v41
+            work[3712 + k] = -v41
+            work[3744 + k] = -v42
+            work[3776 + k] = -v42
+            work[3808 + k] = -math.sqrt(v45)
+            work[3840 + k] = -math.sqrt(v46)
+            work[3872 + k] = -math.sqrt(v47)
+            work[3904 + k] = -math.sqrt(v48)
+            work[3936 + k] = v75
+            work[3968 + k] = v76
+            work[4000 + k] = v77
+            work[4032 + k] = v78
+            work[4064 + k] = -v12
+            work[4096 + k] = -v13
+            work[4128 + k] = Z3
+            work[4160 + k] = -X4_pp
+            work[4192 + k] = -X4_pm
+            work[4224 + k] = v36
+            work[4256 + k] = v37
+            work[4288 + k] = -(v21 * v34 + s3_p * v32)
+            work[4320 + k] = -(v22 * v34 + s3_m * v32)
+            work[4352 + k] = s3_p * v33 - v21 * v35
+            work[4384 + k] = s3_m * v33 - v22 * v35
+            work[4416 + k] = v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54
+            work[4448 + k] = v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54
+            work[4480 + k] = v42 * (s3_p * v62 + v21 * v60) - v36 * v55
+            work[4512 + k] = v42 * (s3_m * v62 + v22 * v60) - v37 * v55
+            work[4544 + k] = v8
+            work[4576 + k] = -v9
+        for k in range(3648, 4128):
+            work[k] = _atan2(work[k], work[k + 480])
+        for k in range(0, 32):
+            v77 = work[576 + k]
+            v76 = work[640 + k]
+            v75 = work[1120 + k]
+            v25 = work[1600 + k]
+            v78 = work[2560 + k]
+            v26 = work[3168 + k]
+            v4 = work[3392 + k]
+            v17 = work[3424 + k]
+            v27 = work[3456 + k]
+            v49 = work[3488 + k]
+            v50 = work[3520 + k]
+            q2_mpp = work[3552 + k]
+            q2_mmp = work[3584 + k]
+            doubt = work[3616 + k] != 0.0
+            angle1 = work[3648 + k]
+            angle1_ = work[3680 + k]
+            angle1__ = work[3712 + k]
+            angle1___ = work[3744 + k]
+            angle1____ = work[3776 + k]
+            angle1_____ = work[3808 + k]
+            angle1______ = work[3840 + k]
+            angle1_______ = work[3872 + k]
+            angle1________ = work[3904 + k]
+            angle1_________ = work[3936 + k]
+            angle1__________ = work[3968 + k]
+            angle1___________ = work[4000 + k]
+            angle1____________ = work[4032 + k]
+            angle1_____________ = work[4064 + k]
+            angle1______________ = work[4096 + k]
+            q3__p = angle1 - turn1
+            v24 = turn1 + angle1
+            q4_ppm = angle1_ - v49
+            q4_pmm = angle1__ - v49
+            q4_mpm = angle1___ - v50
+            q4_mmm = angle1____ - v50
+            q6_ppm = angle1_________ - h1 * math.copysign(half_turn, v75)
+            q6_pmm = angle1__________ - h1 * math.copysign(half_turn, v76)
+            q6_mpm = angle1___________ - h1 * math.copysign(half_turn, v77)
+            q6_mmm = angle1____________ - h1 * math.copysign(half_turn, v78)
+            q1_ppp = v17 + angle1_____________
+            q1_mpp = v17 + angle1______________
+            q3_ppp = v4 + (q3__p - (m3 if half_turn < q3__p else 0.0))
+            q3_pmp = v4 - (v24 + (m3 if half_turn < -v24 else 0.0))
+            _5056 = q1_ppp
+            work[5056 + k] = _5056
+            _5088 = -(v25 + v27)
+            work[5088 + k] = _5088
+            _5120 = q3_ppp
+            work[5120 + k] = _5120
+            _5152 = angle1_
+            work[5152 + k] = _5152
+            _5184 = angle1_____
+            work[5184 + k] = _5184
+            _5216 = angle1_________
+            work[5216 + k] = _5216
+            _5248 = q4_ppm
+            work[5248 + k] = _5248
+            _5280 = -angle1_____
+            work[5280 + k] = _5280
+            _5312 = q6_ppm
+            work[5312 + k] = _5312
+            _5344 = -(v26 + v27)
+            work[5344 + k] = _5344
+            _5376 = q3_pmp
+            work[5376 + k] = _5376
+            _5408 = angle1__
+            work[5408 + k] = _5408
+            _5440 = angle1______
+            work[5440 + k] = _5440
+            _5472 = angle1__________
+            work[5472 + k] = _5472
+            _5504 = q4_pmm
+            work[5504 + k] = _5504
+            _5536 = -angle1______
+            work[5536 + k] = _5536
+            _5568 = q6_pmm
+            work[5568 + k] = _5568
+            _5600 = q1_mpp
+            work[5600 + k] = _5600
+            _5632 = q2_mpp
+            work[5632 + k] = _5632
+            _5664 = angle1___
+            work[5664 + k] = _5664
+            _5696 = angle1_______
+            work[5696 + k] = _5696
+            _5728 = angle1___________
+            work[5728 + k] = _5728
+            _5760 = q4_mpm
+            work[5760 + k] = _5760
+            _5792 = -angle1_______
+            work[5792 + k] = _5792
+            _5824 = q6_mpm
+            work[5824 + k] = _5824
+            _5856 = q2_mmp
+            work[5856 + k] = _5856
+            _5888 = angle1____
+            work[5888 + k] = _5888
+            _5920 = angle1________
+            work[5920 + k] = _5920
+            _5952 = angle1____________
+            work[5952 + k] = _5952
+            _5984 = q4_mmm
+            work[5984 + k] = _5984
+            _6016 = -angle1________
+            work[6016 + k] = _6016
+            _6048 = q6_mmm
+            work[6048 + k] = _6048
+            work[6080 + k] = UNREACHABLE if _5056 != _5056 else OK
+            work[6112 + k] = UNREACHABLE if _5056 != _5056 else OK
+            work[6144 + k] = UNREACHABLE if _5056 != _5056 else OK
+            work[6176 + k] = UNREACHABLE if _5056 != _5056 else OK
+            work[6208 + k] = UNREACHABLE if _5600 != _5600 else OK
+            work[6240 + k] = UNREACHABLE if _5600 != _5600 else OK
+            work[6272 + k] = UNREACHABLE if _5600 != _5600 else OK
+            work[6304 + k] = UNREACHABLE if _5600 != _5600 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -617,14 +1179,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "puma"
 METHOD = "closed form"
@@ -73,6 +74,10 @@ k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
 k6 = 2.681666262986505  # 1 / (2 * D4 * L2) [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.0557281429245738e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -89,7 +94,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -178,6 +183,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -457,15 +465,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -479,6 +484,211 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[1, 4]
+    t24 = T24 + D3 * T21 + k1 * T23
+    t14 = T14 + D3 * T11 + k1 * T13
+    N1 = t24 * t24 + t14 * t14
+    D1 = N1 - k2
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    inverse1 = 1.0 / N1
+    v2 = D3 * t24
+    v3 = D3 * t14
+    v4 = t24 * w1
+    v5 = v3 + v4
+    v6 = v3 - v4
+    c1_p = inverse1 * v5
+    c1_m = inverse1 * v6
+    v7 = t14 * w1
+    v8 = v2 - v7
+    v9 = v2 + v7
+    s1_p = inverse1 * v8
+    s1_m = inverse1 * v9
+
+    # theta3, type 8: U1[3, 4] and U1[2, 4]
+    t34 = T34 + D3 * T31 + k1 * T33
+    N3 = D1 + t34 * t34
+    K3 = N3 - k5
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v10 = w3 - w3
+    s3 = k6 * w3
+    c3 = k6 * K3
+    angle1 = _atan2(w3, K3)
+
+    # theta2, type 3: U1[3, 4] and U1[2, 4]
+    v11 = D4 * s3
+    Y1_2 = L2 + D4 * c3
+    v12 = w1 * Y1_2
+    v13 = t34 * v11
+    v14 = v12 + v13
+    v15 = v12 - v13
+    v16 = t34 * Y1_2
+    v17 = w1 * v11
+    C2_pp = v16 - v17
+    C2_pm = v16 + v17
+    v18 = v14 * v14 + C2_pp * C2_pp
+    v19 = C2_pm * C2_pm
+    v20 = v15 * v15 + v19
+    v21 = v19 + -v15 * -v15
+    factor2_pp = 1.0 / math.sqrt(v18)
+    factor2_pm = 1.0 / math.sqrt(v20)
+    factor2_mp = 1.0 / math.sqrt(v21)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_pm * factor2_mp
+    v22 = v14 * factor2_pp
+    v23 = v15 * factor2_pm
+    v24 = -v15 * factor2_mp
+    angle1_ = _atan2(-v14, C2_pp)
+    angle1__ = _atan2(-v15, C2_pm)
+    angle1___ = _atan2(v15, C2_pm)
+    angle1____ = _atan2(v14, C2_pp)
+
+    # theta4, type 2: U4[1, 3]
+    c23_pp = c3 * c2_pp + s3 * v22
+    c23_pm = c3 * c2_pm - s3 * v23
+    c23_mp = c3 * c2_mp + s3 * v24
+    s23_pp = s3 * c2_pp - c3 * v22
+    v25 = s3 * c2_pm + c3 * v23
+    s23_mp = s3 * c2_mp - c3 * v24
+    v26 = T13 * s1_p - T23 * c1_p
+    v27 = T13 * s1_m - T23 * c1_m
+    X4_pp = c23_pp * v26 - T33 * s23_pp
+    X4_pm = c23_pm * v26 + T33 * v25
+    X4_mp = c23_mp * v27 - T33 * s23_mp
+    X4_mm = c23_pp * v27 - T33 * -s23_pp
+    v28 = T13 * c1_p + T23 * s1_p
+    v29 = T13 * c1_m + T23 * s1_m
+    v30 = v28 * v28
+    v31 = v29 * v29
+    v32 = v30 + X4_pp * X4_pp
+    v33 = v30 + X4_pm * X4_pm
+    v34 = v31 + X4_mp * X4_mp
+    v35 = v31 + X4_mm * X4_mm
+    angle1_____ = _atan2(-v28, -X4_pp)
+    angle1______ = _atan2(-v28, -X4_pm)
+    angle1_______ = _atan2(-v29, -X4_mp)
+    angle1________ = _atan2(-v29, -X4_mm)
+    v36 = math.copysign(half_turn, -v28) * h1
+    v37 = math.copysign(half_turn, -v29) * h1
+    q4_ppm = angle1_____ - v36
+    q4_pmm = angle1______ - v36
+    q4_mpm = angle1_______ - v37
+    q4_mmm = angle1________ - v37
+
+    # theta5, type 3: U4[3, 3] and U4[2, 3]
+    v38 = T33 * c23_pp
+    angle1_________ = _atan2(-math.sqrt(v32), v38 + s23_pp * v26)
+    angle1__________ = _atan2(-math.sqrt(v33), T33 * c23_pm - v25 * v26)
+    angle1___________ = _atan2(-math.sqrt(v34), T33 * c23_mp + s23_mp * v27)
+    angle1____________ = _atan2(-math.sqrt(v35), v38 + -s23_pp * v27)
+
+    # theta6, type 3: U4[1, 2] and U4[1, 1]
+    v39 = c1_p * T12 + s1_p * T22
+    v40 = c1_m * T12 + s1_m * T22
+    v41 = s1_p * T12 - c1_p * T22
+    v42 = s1_m * T12 - c1_m * T22
+    v43 = T11 * c1_p + T21 * s1_p
+    v44 = T11 * c1_m + T21 * s1_m
+    v45 = T11 * s1_p - T21 * c1_p
+    v46 = T11 * s1_m - T21 * c1_m
+    v47 = v28 * (s23_pp * T32 - c23_pp * v41) - -X4_pp * v39
+    v48 = X4_pm * v39 - v28 * (v25 * T32 + c23_pm * v41)
+    v49 = v29 * (s23_mp * T32 - c23_mp * v42) - -X4_mp * v40
+    v50 = v29 * (-s23_pp * T32 - c23_pp * v42) - -X4_mm * v40
+    angle1_____________ = _atan2(v47, -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp * v45))
+    angle1______________ = _atan2(v48, v28 * (T31 * v25 + c23_pm * v45) - X4_pm * v43)
+    angle1_______________ = _atan2(v49, -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp * v46))
+    angle1________________ = _atan2(v50, -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp * v46))
+    q6_ppm = angle1_____________ - h1 * math.copysign(half_turn, v47)
+    q6_pmm = angle1______________ - h1 * math.copysign(half_turn, v48)
+    q6_mpm = angle1_______________ - h1 * math.copysign(half_turn, v49)
+    q6_mmm = angle1________________ - h1 * math.copysign(half_turn, v50)
+
+    # joint values
+    angle1_________________ = _atan2(v8, v5)
+    q1_ppp = v10 + angle1_________________
+    angle1__________________ = _atan2(v9, v6)
+    q1_mpp = v10 + angle1__________________
+    q3_ppp = v1 + angle1
+    q3_pmp = v1 - angle1
+    v51 = v18 <= m1
+    doubt = (
+        v51 or v35 <= m2 or (v21 <= m1 or v34 <= m2 or (v20 <= m1 or v33 <= m2 or (shortest3_reach
+        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or
+        (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v51 or v32 <= m2))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1_
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_____
+    q[0, 4] = angle1_________
+    q[0, 5] = angle1_____________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1_
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1_________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1__
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1______
+    q[2, 4] = angle1__________
+    q[2, 5] = angle1______________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1__
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1__________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1___
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1_______
+    q[4, 4] = angle1___________
+    q[4, 5] = angle1_______________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1___
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1___________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1____
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1________
+    q[6, 4] = angle1____________
+    q[6, 5] = angle1________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1____
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1____________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -502,13 +712,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -525,10 +745,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -588,10 +806,335 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [4928, 4960, 4992, 5024, 5056, 5088],
+    [4928, 4960, 4992, 5120, 5152, 5184],
+    [4928, 5216, 5248, 5280, 5312, 5344],
+    [4928, 5216, 5248, 5376, 5408, 5440],
+    [5472, 5504, 4992, 5536, 5568, 5600],
+    [5472, 5504, 4992, 5632, 5664, 5696],
+    [5472, 5728, 5248, 5760, 5792, 5824],
+    [5472, 5728, 5248, 5856, 5888, 5920],
+])
+_KINDS = np.array([5952, 5984, 6016, 6048, 6080, 6112, 6144, 6176])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(6208)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t24 = T24 + D3 * T21 + k1 * T23
+            t14 = T14 + D3 * T11 + k1 * T13
+            N1 = t24 * t24 + t14 * t14
+            D1 = N1 - k2
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            inverse1 = 1.0 / N1
+            v2 = D3 * t24
+            v3 = D3 * t14
+            v4 = t24 * w1
+            v5 = v3 + v4
+            v6 = v3 - v4
+            c1_p = inverse1 * v5
+            c1_m = inverse1 * v6
+            v7 = t14 * w1
+            v8 = v2 - v7
+            v9 = v2 + v7
+            s1_p = inverse1 * v8
+            s1_m = inverse1 * v9
+            t34 = T34 + D3 * T31 + k1 * T33
+            N3 = D1 + t34 * t34
+            K3 = N3 - k5
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v10 = w3 - w3
+            s3 = k6 * w3
+            c3 = k6 * K3
+            v11 = D4 * s3
+            Y1_2 = L2 + D4 * c3
+            v12 = w1 * Y1_2
+            v13 = t34 * v11
+            v14 = v12 + v13
+            v15 = v12 - v13
+            v16 = t34 * Y1_2
+            v17 = w1 * v11
+            C2_pp = v16 - v17
+            C2_pm = v16 + v17
+            v18 = v14 * v14 + C2_pp * C2_pp
+            v19 = C2_pm * C2_pm
+            v20 = v15 * v15 + v19
+            v21 = v19 + -v15 * -v15
+            factor2_pp = 1.0 / math.sqrt(v18)
+            factor2_pm = 1.0 / math.sqrt(v20)
+            factor2_mp = 1.0 / math.sqrt(v21)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_pm * factor2_mp
+            v22 = v14 * factor2_pp
+            v23 = v15 * factor2_pm
+            v24 = -v15 * factor2_mp
+            c23_pp = c3 * c2_pp + s3 * v22
+            c23_pm = c3 * c2_pm - s3 * v23
+            c23_mp = c3 * c2_mp + s3 * v24
+            s23_pp = s3 * c2_pp - c3 * v22
+            v25 = s3 * c2_pm + c3 * v23
+            s23_mp = s3 * c2_mp - c3 * v24
+            v26 = T13 * s1_p - T23 * c1_p
+            v27 = T13 * s1_m - T23 * c1_m
+            X4_pp = c23_pp * v26 - T33 * s23_pp
+            X4_pm = c23_pm * v26 + T33 * v25
+            X4_mp = c23_mp * v27 - T33 * s23_mp
+            X4_mm = c23_pp * v27 - T33 * -s23_pp
+            v28 = T13 * c1_p + T23 * s1_p
+            v29 = T13 * c1_m + T23 * s1_m
+            v30 = v28 * v28
+            v31 = v29 * v29
+            v32 = v30 + X4_pp * X4_pp
+            v33 = v30 + X4_pm * X4_pm
+            v34 = v31 + X4_mp * X4_mp
+            v35 = v31 + X4_mm * X4_mm
+            v36 = math.copysign(half_turn, -v28) * h1
+            v37 = math.copysign(half_turn, -v29) * h1
+            v38 = T33 * c23_pp
+            v39 = c1_p * T12 + s1_p * T22
+            v40 = c1_m * T12 + s1_m * T22
+            v41 = s1_p * T12 - c1_p * T22
+            v42 = s1_m * T12 - c1_m * T22
+            v43 = T11 * c1_p + T21 * s1_p
+            v44 = T11 * c1_m + T21 * s1_m
+            v45 = T11 * s1_p - T21 * c1_p
+            v46 = T11 * s1_m - T21 * c1_m
+            v47 = v28 * (s23_pp * T32 - c23_pp * v41) - -X4_pp * v39
+            v48 = X4_pm * v39 - v28 * (v25 * T32 + c23_pm * v41)
+            v49 = v29 * (s23_mp * T32 - c23_mp * v42) - -X4_mp * v40
+            v50 = v29 * (-s23_pp * T32 - c23_pp * v42) - -X4_mm * v40
+            v51 = v18 <= m1
+            doubt = (
+                v51 or v35 <= m2 or (v21 <= m1 or v34 <= m2 or (v20 <= m1 or v33 <= m2 or
+                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v51 or
+                v32 <= m2))))
+            )
+            work[3168 + k] = v1
+            work[3200 + k] = v10
+            work[3232 + k] = v36
+            work[3264 + k] = v37
+            work[2496 + k] = v47
+            work[1312 + k] = v48
+            work[608 + k] = v49
+            work[1728 + k] = v50
+            work[3296 + k] = doubt
+            work[3328 + k] = w3
+            work[3360 + k] = -v14
+            work[3392 + k] = -v15
+            work[3424 + k] = v15
+            work[3456 + k] = v14
+            work[3488 + k] = -v28
+            work[3520 + k] = -v28
+            work[3552 + k] = -v29
+            work[3584 + k] = -v29
+            work[3616 + k] = -math.sqrt(v32)
+            work[3648 + k] = -math.sqrt(v33)
+            work[3680 + k] = -math.sqrt(v34)
+            work[3712 + k] = -math.sqrt(v35)
+            work[3744 + k] = v47
+            work[3776 + k] = v48
+            work[3808 + k] = v49
+            work[3840 + k] = v50
+            work[3872 + k] = v8
+            work[3904 + k] = v9
+            work[3936 + k] = K3
+            work[3968 + k] = C2_pp
+            work[4000 + k] = C2_pm
+            work[4032 + k] = C2_pm
+            work[4064 + k] = C2_pp
+            work[4096 + k] = -X4_pp
+            work[4128 + k] = -X4_pm
+            work[4160 + k] = -X4_mp
+            work[4192 + k] = -X4_mm
+            work[4224 + k] = v38 + s23_pp * v26
+            work[4256 + k] = T33 * c23_pm - v25 * v26
+            work[4288 + k] = T33 * c23_mp + s23_mp * v27
+            work[4320 + k] = v38 + -s23_pp * v27
+            work[4352 + k] = -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp * v45)
+            work[4384 + k] = v28 * (T31 * v25 + c23_pm * v45) - X4_pm * v43
+            work[4416 + k] = -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp * v46)
+            work[4448 + k] = -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp * v46)
+            work[4480 + k] = v5
+            work[4512 + k] = v6
+        for k in range(3328, 3936):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            v49 = work[608 + k]
+            v48 = work[1312 + k]
+            v50 = work[1728 + k]
+            v47 = work[2496 + k]
+            v1 = work[3168 + k]
+            v10 = work[3200 + k]
+            v36 = work[3232 + k]
+            v37 = work[3264 + k]
+            doubt = work[3296 + k] != 0.0
+            angle1 = work[3328 + k]
+            angle1_ = work[3360 + k]
+            angle1__ = work[3392 + k]
+            angle1___ = work[3424 + k]
+            angle1____ = work[3456 + k]
+            angle1_____ = work[3488 + k]
+            angle1______ = work[3520 + k]
+            angle1_______ = work[3552 + k]
+            angle1________ = work[3584 + k]
+            angle1_________ = work[3616 + k]
+            angle1__________ = work[3648 + k]
+            angle1___________ = work[3680 + k]
+            angle1____________ = work[3712 + k]
+            angle1_____________ = work[3744 + k]
+            angle1______________ = work[3776 + k]
+            angle1_______________ = work[3808 + k]
+            angle1________________ = work[3840 + k]
+            angle1_________________ = work[3872 + k]
+            angle1__________________ = work[3904 + k]
+            q4_ppm = angle1_____ - v36
+            q4_pmm = angle1______ - v36
+            q4_mpm = angle1_______ - v37
+            q4_mmm = angle1________ - v37
+            q6_ppm = angle1_____________ - h1 * math.copysign(half_turn, v47)
+            q6_pmm = angle1______________ - h1 * math.copysign(half_turn, v48)
+            q6_mpm = angle1_______________ - h1 * math.copysign(half_turn, v49)
+            q6_mmm = angle1________________ - h1 * math.copysign(half_turn, v50)
+            q1_ppp = v10 + angle1_________________
+            q1_mpp = v10 + angle1__________________
+            q3_ppp = v1 + angle1
+            q3_pmp = v1 - angle1
+            _4928 = q1_ppp
+            work[4928 + k] = _4928
+            _4960 = angle1_
+            work[4960 + k] = _4960
+            _4992 = q3_ppp
+            work[4992 + k] = _4992
+            _5024 = angle1_____
+            work[5024 + k] = _5024
+            _5056 = angle1_________
+            work[5056 + k] = _5056
+            _5088 = angle1_____________
+            work[5088 + k] = _5088
+            _5120 = q4_ppm
+            work[5120 + k] = _5120
+            _5152 = -angle1_________
+            work[5152 + k] = _5152
+            _5184 = q6_ppm
+            work[5184 + k] = _5184
+            _5216 = angle1__
+            work[5216 + k] = _5216
+            _5248 = q3_pmp
+            work[5248 + k] = _5248
+            _5280 = angle1______
+            work[5280 + k] = _5280
+            _5312 = angle1__________
+            work[5312 + k] = _5312
+            _5344 = angle1______________
+            work[5344 + k] = _5344
+            _5376 = q4_pmm
+            work[5376 + k] = _5376
+            _5408 = -angle1__________
+            work[5408 + k] = _5408
+            _5440 = q6_pmm
+            work[5440 + k] = _5440
+            _5472 = q1_mpp
+            work[5472 + k] = _5472
+            _5504 = angle1___
+            work[5504 + k] = _5504
+            _5536 = angle1_______
+            work[5536 + k] = _5536
+            _5568 = angle1___________
+            work[5568 + k] = _5568
+            _5600 = angle1_______________
+            work[5600 + k] = _5600
+            _5632 = q4_mpm
+            work[5632 + k] = _5632
+            _5664 = -angle1___________
+            work[5664 + k] = _5664
+            _5696 = q6_mpm
+            work[5696 + k] = _5696
+            _5728 = angle1____
+            work[5728 + k] = _5728
+            _5760 = angle1________
+            work[5760 + k] = _5760
+            _5792 = angle1____________
+            work[5792 + k] = _5792
+            _5824 = angle1________________
+            work[5824 + k] = _5824
+            _5856 = q4_mmm
+            work[5856 + k] = _5856
+            _5888 = -angle1____________
+            work[5888 + k] = _5888
+            _5920 = q6_mmm
+            work[5920 + k] = _5920
+            work[5952 + k] = UNREACHABLE if _4928 != _4928 else OK
+            work[5984 + k] = UNREACHABLE if _4928 != _4928 else OK
+            work[6016 + k] = UNREACHABLE if _4928 != _4928 else OK
+            work[6048 + k] = UNREACHABLE if _4928 != _4928 else OK
+            work[6080 + k] = UNREACHABLE if _5472 != _5472 else OK
+            work[6112 + k] = UNREACHABLE if _5472 != _5472 else OK
+            work[6144 + k] = UNREACHABLE if _5472 != _5472 else OK
+            work[6176 + k] = UNREACHABLE if _5472 != _5472 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -602,14 +1145,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

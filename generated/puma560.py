@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "puma560"
 METHOD = "closed form"
@@ -74,6 +75,20 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+turn1 = 1.5238184104468135  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.7925268041909272  # lowest value of joint 1
+high1 = 2.7925268041909272  # highest value of joint 1
+low2 = -1.9198621781937626  # lowest value of joint 2
+high2 = 1.9198621781937626  # highest value of joint 2
+low3 = -2.356194491192345  # lowest value of joint 3
+high3 = 2.356194491192345  # highest value of joint 3
+low5 = -1.7453292529943296  # lowest value of joint 5
+high5 = 1.7453292529943296  # highest value of joint 5
+m1 = 8.466269175855875e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -90,7 +105,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -176,6 +191,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -427,15 +445,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -449,6 +464,259 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    inverse1 = 1.0 / N1
+    v2 = d3 * T14
+    v3 = d3 * T24
+    v4 = T14 * w1
+    v5 = v4 - v3
+    v6 = v3 + v4
+    c1_p = inverse1 * v5
+    v7 = inverse1 * v6
+    v8 = T24 * w1
+    v9 = v2 + v8
+    v10 = v2 - v8
+    s1_p = inverse1 * v9
+    s1_m = inverse1 * v10
+    angle1 = _atan2(v9, v5)
+    angle1_ = _atan2(v10, -v6)
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    N3 = D1 + Z1_3 * Z1_3
+    K3 = N3 - k6
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v11 = w3 - w3
+    v12 = k4 * K3
+    v13 = k5 * w3
+    s3_p = k7 * (v13 - v12)
+    v14 = k7 * (v12 + v13)
+    v15 = k5 * K3
+    v16 = k4 * w3
+    c3_p = k7 * (v15 + v16)
+    c3_m = k7 * (v15 - v16)
+    angle1__ = _atan2(w3, K3)
+    q3__p = angle1__ - turn1
+    v17 = turn1 + angle1__
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+    X1_2_m = a2 + (a3 * c3_m + d4 * v14)
+    Y1_2_p = d4 * c3_p + a3 * s3_p
+    Y1_2_m = d4 * c3_m - a3 * v14
+    v18 = Z1_3 * X1_2_p
+    v19 = Z1_3 * X1_2_m
+    v20 = w1 * Y1_2_p
+    v21 = w1 * Y1_2_m
+    S2_pp = v18 - v20
+    S2_pm = v19 - v21
+    S2_mp = v18 + v20
+    S2_mm = v19 + v21
+    v22 = w1 * X1_2_p
+    v23 = w1 * X1_2_m
+    v24 = Z1_3 * Y1_2_p
+    v25 = Z1_3 * Y1_2_m
+    C2_pp = v22 + v24
+    C2_pm = v23 + v25
+    C2_mp = v24 - v22
+    C2_mm = v25 - v23
+    v26 = S2_pp * S2_pp + C2_pp * C2_pp
+    v27 = S2_pm * S2_pm + C2_pm * C2_pm
+    v28 = S2_mp * S2_mp + C2_mp * C2_mp
+    v29 = S2_mm * S2_mm + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v26)
+    factor2_pm = 1.0 / math.sqrt(v27)
+    factor2_mp = 1.0 / math.sqrt(v28)
+    factor2_mm = 1.0 / math.sqrt(v29)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    s2_mm = S2_mm * factor2_mm
+    angle1___ = _atan2(S2_pp, C2_pp)
+    angle1____ = _atan2(S2_pm, C2_pm)
+    angle1_____ = _atan2(S2_mp, C2_mp)
+    angle1______ = _atan2(S2_mm, C2_mm)
+
+    # theta4, type 2: U4[3, 3]
+    c23_pp = c3_p * c2_pp - s3_p * s2_pp
+    c23_pm = c3_m * c2_pm + v14 * s2_pm
+    c23_mp = c3_p * c2_mp - s3_p * s2_mp
+    c23_mm = c3_m * c2_mm + v14 * s2_mm
+    s23_pp = c3_p * s2_pp + s3_p * c2_pp
+    s23_pm = c3_m * s2_pm - v14 * c2_pm
+    s23_mp = c3_p * s2_mp + s3_p * c2_mp
+    s23_mm = c3_m * s2_mm - v14 * c2_mm
+    v30 = c1_p * T13 + s1_p * T23
+    v31 = s1_m * T23 - v7 * T13
+    c4_pp = c23_pp * v30 + s23_pp * T33
+    c4_pm = c23_pm * v30 + s23_pm * T33
+    c4_mp = c23_mp * v31 + s23_mp * T33
+    c4_mm = c23_mm * v31 + s23_mm * T33
+    Y4_p = c1_p * T23 - s1_p * T13
+    v32 = v7 * T23 + s1_m * T13
+    v33 = Y4_p * Y4_p
+    v34 = v32 * v32
+    v35 = v33 + c4_pp * c4_pp
+    v36 = v33 + c4_pm * c4_pm
+    v37 = v34 + c4_mp * c4_mp
+    v38 = v34 + c4_mm * c4_mm
+    angle1_______ = _atan2(Y4_p, c4_pp)
+    angle1________ = _atan2(Y4_p, c4_pm)
+    angle1_________ = _atan2(-v32, c4_mp)
+    angle1__________ = _atan2(-v32, c4_mm)
+    v39 = math.copysign(half_turn, Y4_p) * h1
+    v40 = math.copysign(half_turn, -v32) * h1
+    q4_ppm = angle1_______ - v39
+    q4_pmm = angle1________ - v39
+    q4_mpm = angle1_________ - v40
+    q4_mmm = angle1__________ - v40
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1___________ = _atan2(-math.sqrt(v35), c23_pp * T33 - s23_pp * v30)
+    angle1____________ = _atan2(-math.sqrt(v36), c23_pm * T33 - s23_pm * v30)
+    angle1_____________ = _atan2(-math.sqrt(v37), c23_mp * T33 - s23_mp * v31)
+    angle1______________ = _atan2(-math.sqrt(v38), c23_mm * T33 - s23_mm * v31)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v41 = s1_p * T12 - c1_p * T22
+    v42 = s1_m * T12 + v7 * T22
+    v43 = c1_p * T12 + s1_p * T22
+    v44 = s1_m * T22 - v7 * T12
+    v45 = s1_p * T11 - c1_p * T21
+    v46 = s1_m * T11 + v7 * T21
+    v47 = c1_p * T11 + s1_p * T21
+    v48 = s1_m * T21 - v7 * T11
+    angle1_______________ = (
+        _atan2(-(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31)), -(c4_pp * v41 + Y4_p * (c23_pp
+        * v43 + s23_pp * T32)))
+    )
+    angle1________________ = (
+        _atan2(-(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31)), -(c4_pm * v41 + Y4_p * (c23_pm
+        * v43 + s23_pm * T32)))
+    )
+    v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46
+    angle1_________________ = _atan2(v49, v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42)
+    v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46
+    angle1__________________ = _atan2(v50, v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42)
+    q6_ppm = (
+        angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v45 + Y4_p * (c23_pp * v47 +
+        s23_pp * T31)))
+    )
+    q6_pmm = (
+        angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v45 + Y4_p * (c23_pm * v47
+        + s23_pm * T31)))
+    )
+    q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v49)
+    q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v50)
+
+    # joint values
+    v51 = q3__p + (m4 if q3__p <= -half_turn else 0.0)
+    v52 = (m4 if -v17 <= -half_turn else 0.0) - v17
+    v53 = angle1 < low1 or high1 < angle1
+    v54 = angle1_ < low1 or high1 < angle1_
+    v55 = v51 < low3 or high3 < v51
+    v56 = v52 < low3 or high3 < v52
+    q1_ppp = angle1 + v11
+    q1_mpp = angle1_ + v11
+    q3_ppp = v1 + v51
+    q3_pmp = v1 + v52
+    v57 = v55 or (v53 or (angle1___ < low2 or high2 < angle1___))
+    v58 = v56 or (v53 or (angle1____ < low2 or high2 < angle1____))
+    v59 = v55 or (v54 or (angle1_____ < low2 or high2 < angle1_____))
+    v60 = v56 or (v54 or (angle1______ < low2 or high2 < angle1______))
+    outside_ppp = v57 or (angle1___________ < low5 or high5 < angle1___________)
+    outside_ppm = v57 or (-angle1___________ < low5 or high5 < -angle1___________)
+    outside_pmp = v58 or (angle1____________ < low5 or high5 < angle1____________)
+    outside_pmm = v58 or (-angle1____________ < low5 or high5 < -angle1____________)
+    outside_mpp = v59 or (angle1_____________ < low5 or high5 < angle1_____________)
+    outside_mpm = v59 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+    outside_mmp = v60 or (angle1______________ < low5 or high5 < angle1______________)
+    outside_mmm = v60 or (-angle1______________ < low5 or high5 < -angle1______________)
+    doubt = (
+        v29 <= m1 or v38 <= m2 or (v28 <= m1 or v37 <= m2 or (v27 <= m1 or v36 <= m2 or
+        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v26 <= m1 or v35 <=
+        m2))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1___
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1_______
+    q[0, 4] = angle1___________
+    q[0, 5] = angle1_______________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1___
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1___________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1____
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1________
+    q[2, 4] = angle1____________
+    q[2, 5] = angle1________________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1____
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1____________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1_____
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1_________
+    q[4, 4] = angle1_____________
+    q[4, 5] = angle1_________________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1_____
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1_____________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1______
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1__________
+    q[6, 4] = angle1______________
+    q[6, 5] = angle1__________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1______
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1______________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -472,13 +740,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -495,10 +773,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -558,10 +834,407 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6048, 6080, 6112, 6144, 6176, 6208],
+    [6048, 6080, 6112, 6240, 6272, 6304],
+    [6048, 6336, 6368, 6400, 6432, 6464],
+    [6048, 6336, 6368, 6496, 6528, 6560],
+    [6592, 6624, 6112, 6656, 6688, 6720],
+    [6592, 6624, 6112, 6752, 6784, 6816],
+    [6592, 6848, 6368, 6880, 6912, 6944],
+    [6592, 6848, 6368, 6976, 7008, 7040],
+])
+_KINDS = np.array([7072, 7104, 7136, 7168, 7200, 7232, 7264, 7296])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7328)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            N1 = T14 * T14 + T24 * T24
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            inverse1 = 1.0 / N1
+            v2 = d3 * T14
+            v3 = d3 * T24
+            v4 = T14 * w1
+            v5 = v4 - v3
+            v6 = v3 + v4
+            c1_p = inverse1 * v5
+            v7 = inverse1 * v6
+            v8 = T24 * w1
+            v9 = v2 + v8
+            v10 = v2 - v8
+            s1_p = inverse1 * v9
+            s1_m = inverse1 * v10
+            Z1_3 = T34 - d1
+            N3 = D1 + Z1_3 * Z1_3
+            K3 = N3 - k6
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v11 = w3 - w3
+            v12 = k4 * K3
+            v13 = k5 * w3
+            s3_p = k7 * (v13 - v12)
+            v14 = k7 * (v12 + v13)
+            v15 = k5 * K3
+            v16 = k4 * w3
+            c3_p = k7 * (v15 + v16)
+            c3_m = k7 * (v15 - v16)
+            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+            X1_2_m = a2 + (a3 * c3_m + d4 * v14)
+            Y1_2_p = d4 * c3_p + a3 * s3_p
+            Y1_2_m = d4 * c3_m - a3 * v14
+            v18 = Z1_3 * X1_2_p
+            v19 = Z1_3 * X1_2_m
+            v20 = w1 * Y1_2_p
+            v21 = w1 * Y1_2_m
+            S2_pp = v18 - v20
+            S2_pm = v19 - v21
+            S2_mp = v18 + v20
+            S2_mm = v19 + v21
+            v22 = w1 * X1_2_p
+            v23 = w1 * X1_2_m
+            v24 = Z1_3 * Y1_2_p
+            v25 = Z1_3 * Y1_2_m
+            C2_pp = v22 + v24
+            C2_pm = v23 + v25
+            C2_mp = v24 - v22
+            C2_mm = v25 - v23
+            v26 = S2_pp * S2_pp + C2_pp * C2_pp
+            v27 = S2_pm * S2_pm + C2_pm * C2_pm
+            v28 = S2_mp * S2_mp + C2_mp * C2_mp
+            v29 = S2_mm * S2_mm + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v26)
+            factor2_pm = 1.0 / math.sqrt(v27)
+            factor2_mp = 1.0 / math.sqrt(v28)
+            factor2_mm = 1.0 / math.sqrt(v29)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            s2_mm = S2_mm * factor2_mm
+            c23_pp = c3_p * c2_pp - s3_p * s2_pp
+            c23_pm = c3_m * c2_pm + v14 * s2_pm
+            c23_mp = c3_p * c2_mp - s3_p * s2_mp
+            c23_mm = c3_m * c2_mm + v14 * s2_mm
+            s23_pp = c3_p * s2_pp + s3_p * c2_pp
+            s23_pm = c3_m * s2_pm - v14 * c2_pm
+            s23_mp = c3_p * s2_mp + s3_p * c2_mp
+            s23_mm = c3_m * s2_mm - v14 * c2_mm
+            v30 = c1_p * T13 + s1_p * T23
+            v31 = s1_m * T23 - v7 * T13
+            c4_pp = c23_pp * v30 + s23_pp * T33
+            c4_pm = c23_pm * v30 + s23_pm * T33
+            c4_mp = c23_mp * v31 + s23_mp * T33
+            c4_mm = c23_mm * v31 + s23_mm * T33
+            Y4_p = c1_p * T23 - s1_p * T13
+            v32 = v7 * T23 + s1_m * T13
+            v33 = Y4_p * Y4_p
+            v34 = v32 * v32
+            v35 = v33 + c4_pp * c4_pp
+            v36 = v33 + c4_pm * c4_pm
+            v37 = v34 + c4_mp * c4_mp
+            v38 = v34 + c4_mm * c4_mm
+            v39 = math.copysign(half_turn, Y4_p) * h1
+            v40 = math.copysign(half_turn, -v32) * h1
+            v41 = s1_p * T12 - c1_p * T22
+            v42 = s1_m * T12 + v7 * T22
+            v43 = c1_p * T12 + s1_p * T22
+            v44 = s1_m * T22 - v7 * T12
+            v45 = s1_p * T11 - c1_p * T21
+            v46 = s1_m * T11 + v7 * T21
+            v47 = c1_p * T11 + s1_p * T21
+            v48 = s1_m * T21 - v7 * T11
+            v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46
+            v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46
+            doubt = (
+                v29 <= m1 or v38 <= m2 or (v28 <= m1 or v37 <= m2 or (v27 <= m1 or v36 <= m2 or
+                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v26 <= m1
+                or v35 <= m2))))
+            )
+            work[3648 + k] = v1
+            work[3680 + k] = v11
+            work[928 + k] = c23_pp
+            work[864 + k] = c23_pm
+            work[1024 + k] = s23_pp
+            work[1280 + k] = s23_pm
+            work[2592 + k] = c4_pp
+            work[1376 + k] = c4_pm
+            work[3552 + k] = Y4_p
+            work[3712 + k] = v39
+            work[3744 + k] = v40
+            work[3040 + k] = v45
+            work[2976 + k] = v47
+            work[736 + k] = v49
+            work[2048 + k] = v50
+            work[3776 + k] = doubt
+            work[3808 + k] = v9
+            work[3840 + k] = v10
+            work[3872 + k] = w3
+            work[3904 + k] = S2_pp
+            work[3936 + k] = S2_pm
+            work[3968 + k] = S2_mp
+            work[4000 + k] = S2_mm
+            work[4032 + k] = Y4_p
+            work[4064 + k] = Y4_p
+            work[4096 + k] = -v32
+            work[4128 + k] = -v32
+            work[4160 + k] = -math.sqrt(v35)
+            work[4192 + k] = -math.sqrt(v36)
+            work[4224 + k] = -math.sqrt(v37)
+            work[4256 + k] = -math.sqrt(v38)
+            work[4288 + k] = -(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31))
+            work[4320 + k] = -(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31))
+            work[4352 + k] = v49
+            work[4384 + k] = v50
+            work[4416 + k] = v5
+            work[4448 + k] = -v6
+            work[4480 + k] = K3
+            work[4512 + k] = C2_pp
+            work[4544 + k] = C2_pm
+            work[4576 + k] = C2_mp
+            work[4608 + k] = C2_mm
+            work[4640 + k] = c4_pp
+            work[4672 + k] = c4_pm
+            work[4704 + k] = c4_mp
+            work[4736 + k] = c4_mm
+            work[4768 + k] = c23_pp * T33 - s23_pp * v30
+            work[4800 + k] = c23_pm * T33 - s23_pm * v30
+            work[4832 + k] = c23_mp * T33 - s23_mp * v31
+            work[4864 + k] = c23_mm * T33 - s23_mm * v31
+            work[4896 + k] = -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32))
+            work[4928 + k] = -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32))
+            work[4960 + k] = v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42
+            work[4992 + k] = v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42
+        for k in range(3808, 4416):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            T31 = work[256 + k]
+            v49 = work[736 + k]
+            c23_pm = work[864 + k]
+            c23_pp = work[928 + k]
+            s23_pp = work[1024 + k]
+            s23_pm = work[1280 + k]
+            c4_pm = work[1376 + k]
+            v50 = work[2048 + k]
+            c4_pp = work[2592 + k]
+            v47 = work[2976 + k]
+            v45 = work[3040 + k]
+            Y4_p = work[3552 + k]
+            v1 = work[3648 + k]
+            v11 = work[3680 + k]
+            v39 = work[3712 + k]
+            v40 = work[3744 + k]
+            doubt = work[3776 + k] != 0.0
+            angle1 = work[3808 + k]
+            angle1_ = work[3840 + k]
+            angle1__ = work[3872 + k]
+            angle1___ = work[3904 + k]
+            angle1____ = work[3936 + k]
+            angle1_____ = work[3968 + k]
+            angle1______ = work[4000 + k]
+            angle1_______ = work[4032 + k]
+            angle1________ = work[4064 + k]
+            angle1_________ = work[4096 + k]
+            angle1__________ = work[4128 + k]
+            angle1___________ = work[4160 + k]
+            angle1____________ = work[4192 + k]
+            angle1_____________ = work[4224 + k]
+            angle1______________ = work[4256 + k]
+            angle1_______________ = work[4288 + k]
+            angle1________________ = work[4320 + k]
+            angle1_________________ = work[4352 + k]
+            angle1__________________ = work[4384 + k]
+            q3__p = angle1__ - turn1
+            v17 = turn1 + angle1__
+            q4_ppm = angle1_______ - v39
+            q4_pmm = angle1________ - v39
+            q4_mpm = angle1_________ - v40
+            q4_mmm = angle1__________ - v40
+            q6_ppm = (
+                angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v45 + Y4_p * (c23_pp
+                * v47 + s23_pp * T31)))
+            )
+            q6_pmm = (
+                angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v45 + Y4_p *
+                (c23_pm * v47 + s23_pm * T31)))
+            )
+            q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v49)
+            q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v50)
+            v51 = q3__p + (m4 if q3__p <= -half_turn else 0.0)
+            v52 = (m4 if -v17 <= -half_turn else 0.0) - v17
+            v53 = angle1 < low1 or high1 < angle1
+            v54 = angle1_ < low1 or high1 < angle1_
+            v55 = v51 < low3 or high3 < v51
+            v56 = v52 < low3 or high3 < v52
+            q1_ppp = angle1 + v11
+            q1_mpp = angle1_ + v11
+            q3_ppp = v1 + v51
+            q3_pmp = v1 + v52
+            v57 = v55 or (v53 or (angle1___ < low2 or high2 < angle1___))
+            v58 = v56 or (v53 or (angle1____ < low2 or high2 < angle1____))
+            v59 = v55 or (v54 or (angle1_____ < low2 or high2 < angle1_____))
+            v60 = v56 or (v54 or (angle1______ < low2 or high2 < angle1______))
+            outside_ppp = v57 or (angle1___________ < low5 or high5 < angle1___________)
+            outside_ppm = v57 or (-angle1___________ < low5 or high5 < -angle1___________)
+            outside_pmp = v58 or (angle1____________ < low5 or high5 < angle1____________)
+            outside_pmm = v58 or (-angle1____________ < low5 or high5 < -angle1____________)
+            outside_mpp = v59 or (angle1_____________ < low5 or high5 < angle1_____________)
+            outside_mpm = v59 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+            outside_mmp = v60 or (angle1______________ < low5 or high5 < angle1______________)
+            outside_mmm = v60 or (-angle1______________ < low5 or high5 < -angle1______________)
+            _6048 = q1_ppp
+            work[6048 + k] = _6048
+            _6080 = angle1___
+            work[6080 + k] = _6080
+            _6112 = q3_ppp
+            work[6112 + k] = _6112
+            _6144 = angle1_______
+            work[6144 + k] = _6144
+            _6176 = angle1___________
+            work[6176 + k] = _6176
+            _6208 = angle1_______________
+            work[6208 + k] = _6208
+            _6240 = q4_ppm
+            work[6240 + k] = _6240
+            _6272 = -angle1___________
+            work[6272 + k] = _6272
+            _6304 = q6_ppm
+            work[6304 + k] = _6304
+            _6336 = angle1____
+            work[6336 + k] = _6336
+            _6368 = q3_pmp
+            work[6368 + k] = _6368
+            _6400 = angle1________
+            work[6400 + k] = _6400
+            _6432 = angle1____________
+            work[6432 + k] = _6432
+            _6464 = angle1________________
+            work[6464 + k] = _6464
+            _6496 = q4_pmm
+            work[6496 + k] = _6496
+            _6528 = -angle1____________
+            work[6528 + k] = _6528
+            _6560 = q6_pmm
+            work[6560 + k] = _6560
+            _6592 = q1_mpp
+            work[6592 + k] = _6592
+            _6624 = angle1_____
+            work[6624 + k] = _6624
+            _6656 = angle1_________
+            work[6656 + k] = _6656
+            _6688 = angle1_____________
+            work[6688 + k] = _6688
+            _6720 = angle1_________________
+            work[6720 + k] = _6720
+            _6752 = q4_mpm
+            work[6752 + k] = _6752
+            _6784 = -angle1_____________
+            work[6784 + k] = _6784
+            _6816 = q6_mpm
+            work[6816 + k] = _6816
+            _6848 = angle1______
+            work[6848 + k] = _6848
+            _6880 = angle1__________
+            work[6880 + k] = _6880
+            _6912 = angle1______________
+            work[6912 + k] = _6912
+            _6944 = angle1__________________
+            work[6944 + k] = _6944
+            _6976 = q4_mmm
+            work[6976 + k] = _6976
+            _7008 = -angle1______________
+            work[7008 + k] = _7008
+            _7040 = q6_mmm
+            work[7040 + k] = _7040
+            work[7072 + k] = (
+                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[7104 + k] = (
+                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[7136 + k] = (
+                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[7168 + k] = (
+                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[7200 + k] = (
+                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[7232 + k] = (
+                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[7264 + k] = (
+                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[7296 + k] = (
+                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -572,14 +1245,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

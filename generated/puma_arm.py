@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "puma_arm"
 METHOD = "closed form"
@@ -66,6 +67,10 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+turn1 = 1.5238184104468135  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 8.466269175855875e-48  # free_limit_squared2^2 [m^4]
+m2 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -82,7 +87,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -147,6 +152,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -287,15 +295,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -309,6 +314,104 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    v2 = d3 * T14
+    v3 = d3 * T24
+    v4 = T14 * w1
+    v5 = T24 * w1
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d1
+    N3 = D1 + Z1_3 * Z1_3
+    K3 = N3 - k6
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v6 = w3 - w3
+    v7 = k4 * K3
+    v8 = k5 * w3
+    s3_p = k7 * (v8 - v7)
+    v9 = k7 * (v7 + v8)
+    v10 = k5 * K3
+    v11 = k4 * w3
+    c3_p = k7 * (v10 + v11)
+    c3_m = k7 * (v10 - v11)
+    angle1 = _atan2(w3, K3)
+    q3__p = angle1 - turn1
+    v12 = turn1 + angle1
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+    X1_2_m = a2 + (a3 * c3_m + d4 * v9)
+    Y1_2_p = d4 * c3_p + a3 * s3_p
+    Y1_2_m = d4 * c3_m - a3 * v9
+    v13 = Z1_3 * X1_2_p
+    v14 = Z1_3 * X1_2_m
+    v15 = w1 * Y1_2_p
+    v16 = w1 * Y1_2_m
+    S2_pp = v13 - v15
+    S2_pm = v14 - v16
+    S2_mp = v13 + v15
+    S2_mm = v14 + v16
+    v17 = w1 * X1_2_p
+    v18 = w1 * X1_2_m
+    v19 = Z1_3 * Y1_2_p
+    v20 = Z1_3 * Y1_2_m
+    C2_pp = v17 + v19
+    C2_pm = v18 + v20
+    C2_mp = v19 - v17
+    C2_mm = v20 - v18
+    angle1_ = _atan2(S2_pp, C2_pp)
+    angle1__ = _atan2(S2_pm, C2_pm)
+    angle1___ = _atan2(S2_mp, C2_mp)
+    angle1____ = _atan2(S2_mm, C2_mm)
+
+    # joint values
+    angle1_____ = _atan2(v2 + v5, v4 - v3)
+    q1_pp = v6 + angle1_____
+    angle1______ = _atan2(v2 - v5, -(v3 + v4))
+    q1_mp = v6 + angle1______
+    q3_pp = v1 + (q3__p + (m2 if q3__p <= -half_turn else 0.0))
+    q3_pm = v1 + ((m2 if -v12 <= -half_turn else 0.0) - v12)
+    doubt = (
+        S2_mm * S2_mm + C2_mm * C2_mm <= m1 or (S2_mp * S2_mp + C2_mp * C2_mp <= m1 or (S2_pm *
+        S2_pm + C2_pm * C2_pm <= m1 or (S2_pp * S2_pp + C2_pp * C2_pp <= m1 or (shortest3_reach <=
+        N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free1
+        or -k2 <= D1 and (free1 or not (k3 < D1)))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = angle1_
+    q[0, 2] = q3_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pp
+    q[1, 1] = angle1__
+    q[1, 2] = q3_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = angle1___
+    q[2, 2] = q3_pp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mp
+    q[3, 1] = angle1____
+    q[3, 2] = q3_pm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -332,13 +435,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -355,10 +468,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 3)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -418,10 +529,161 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2560, 2592, 2624],
+    [2560, 2656, 2688],
+    [2720, 2752, 2624],
+    [2720, 2784, 2688],
+])
+_KINDS = np.array([2816, 2848, 2880, 2912])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2944)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            T34 = work[352 + k]
+            N1 = T14 * T14 + T24 * T24
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            v2 = d3 * T14
+            v3 = d3 * T24
+            v4 = T14 * w1
+            v5 = T24 * w1
+            Z1_3 = T34 - d1
+            N3 = D1 + Z1_3 * Z1_3
+            K3 = N3 - k6
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v6 = w3 - w3
+            v7 = k4 * K3
+            v8 = k5 * w3
+            s3_p = k7 * (v8 - v7)
+            v9 = k7 * (v7 + v8)
+            v10 = k5 * K3
+            v11 = k4 * w3
+            c3_p = k7 * (v10 + v11)
+            c3_m = k7 * (v10 - v11)
+            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
+            X1_2_m = a2 + (a3 * c3_m + d4 * v9)
+            Y1_2_p = d4 * c3_p + a3 * s3_p
+            Y1_2_m = d4 * c3_m - a3 * v9
+            v13 = Z1_3 * X1_2_p
+            v14 = Z1_3 * X1_2_m
+            v15 = w1 * Y1_2_p
+            v16 = w1 * Y1_2_m
+            S2_pp = v13 - v15
+            S2_pm = v14 - v16
+            S2_mp = v13 + v15
+            S2_mm = v14 + v16
+            v17 = w1 * X1_2_p
+            v18 = w1 * X1_2_m
+            v19 = Z1_3 * Y1_2_p
+            v20 = Z1_3 * Y1_2_m
+            C2_pp = v17 + v19
+            C2_pm = v18 + v20
+            C2_mp = v19 - v17
+            C2_mm = v20 - v18
+            doubt = (
+                S2_mm * S2_mm + C2_mm * C2_mm <= m1 or (S2_mp * S2_mp + C2_mp * C2_mp <= m1 or
+                (S2_pm * S2_pm + C2_pm * C2_pm <= m1 or (S2_pp * S2_pp + C2_pp * C2_pp <= m1 or
+                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))))))
+            )
+            work[1824 + k] = v1
+            work[1856 + k] = v6
+            work[1888 + k] = doubt
+            work[1920 + k] = w3
+            work[1952 + k] = S2_pp
+            work[1984 + k] = S2_pm
+            work[2016 + k] = S2_mp
+            work[2048 + k] = S2_mm
+            work[2080 + k] = v2 + v5
+            work[2112 + k] = v2 - v5
+            work[2144 + k] = K3
+            work[2176 + k] = C2_pp
+            work[2208 + k] = C2_pm
+            work[2240 + k] = C2_mp
+            work[2272 + k] = C2_mm
+            work[2304 + k] = v4 - v3
+            work[2336 + k] = -(v3 + v4)
+        for k in range(1920, 2144):
+            work[k] = _atan2(work[k], work[k + 224])
+        for k in range(0, 32):
+            v1 = work[1824 + k]
+            v6 = work[1856 + k]
+            doubt = work[1888 + k] != 0.0
+            angle1 = work[1920 + k]
+            angle1_ = work[1952 + k]
+            angle1__ = work[1984 + k]
+            angle1___ = work[2016 + k]
+            angle1____ = work[2048 + k]
+            angle1_____ = work[2080 + k]
+            angle1______ = work[2112 + k]
+            q3__p = angle1 - turn1
+            v12 = turn1 + angle1
+            q1_pp = v6 + angle1_____
+            q1_mp = v6 + angle1______
+            q3_pp = v1 + (q3__p + (m2 if q3__p <= -half_turn else 0.0))
+            q3_pm = v1 + ((m2 if -v12 <= -half_turn else 0.0) - v12)
+            _2560 = q1_pp
+            work[2560 + k] = _2560
+            _2592 = angle1_
+            work[2592 + k] = _2592
+            _2624 = q3_pp
+            work[2624 + k] = _2624
+            _2656 = angle1__
+            work[2656 + k] = _2656
+            _2688 = q3_pm
+            work[2688 + k] = _2688
+            _2720 = q1_mp
+            work[2720 + k] = _2720
+            _2752 = angle1___
+            work[2752 + k] = _2752
+            _2784 = angle1____
+            work[2784 + k] = _2784
+            work[2816 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[2848 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[2880 + k] = UNREACHABLE if _2720 != _2720 else OK
+            work[2912 + k] = UNREACHABLE if _2720 != _2720 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -432,14 +694,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "rail_5dof"
 METHOD = "closed form"
@@ -55,6 +56,11 @@ free_limit = 1e-12  # a length that fixes no angle
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.000000000000001e-05  # a pose may be rounded by this [m]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.2959999999999999e-45  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 9.999999999999998e-49  # free_limit_squared^2
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -72,7 +78,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -143,6 +149,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -351,15 +360,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(5):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -373,6 +379,99 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # r1, type 1: U0 A5^-1 [3, 4]
+    wz = T34 - d5 * T33
+
+    # theta2, type 3: U0 A5^-1 [1, 4] and U0 A5^-1 [2, 4]
+    v1 = d3 * (T14 - d5 * T13 - a1)
+    C2 = d3 * (T24 - d5 * T23)
+    v2 = v1 * v1 + C2 * C2
+    v3 = 1.0 / math.sqrt(v2)
+    v4 = C2 * v3
+    s2 = v1 * v3
+
+    # theta3, type 2: U3[2, 3]
+    X3 = T23 * s2 - T13 * v4
+    v5 = X3 * X3 + T33 * T33
+    w3 = math.sqrt(v5)
+    factor3 = 1.0 / w3
+    v6 = X3 * factor3
+    v7 = T33 * factor3
+    angle1 = _atan2(-T33, -X3)
+
+    # theta4, type 3: U3[3, 3] and U3[1, 3]
+    v8 = T23 * v4 + T13 * s2
+    v9 = v5 + v8 * v8
+    v10 = 1.0 / math.sqrt(v9)
+    c4 = v8 * v10
+    s4 = w3 * v10
+    angle1_ = _atan2(w3, v8)
+
+    # theta5, type 3: U3[2, 2] and U3[2, 1]
+    C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12)
+    S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11)
+    v11 = S5 * S5 + C5 * C5
+    v12 = 1.0 / math.sqrt(v11)
+    v13 = C5 * v12
+    v14 = S5 * v12
+    angle1__ = _atan2(-S5, -C5)
+
+    # is the pose one that the arm can take?
+    v15 = v4 * v6
+    v16 = c4 * v15 + s2 * s4
+    v17 = v4 * v7
+    v18 = s2 * v6
+    v19 = c4 * v18 - v4 * s4
+    v20 = s2 * v7
+    v21 = v7 * c4
+    v22 = (
+        0.0 if (abs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1 and (abs(T33 - v7 * s4) <=
+        pose_slack and (abs(T32 - (v6 * v13 - v14 * v21)) <= pose_slack and (abs(T31 - (v13 * v21 +
+        v6 * v14)) <= pose_slack and (abs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 * (d5 * v18)))) <=
+        pose_slack1 and (abs(T23 - (v4 * c4 + s4 * v18)) <= pose_slack and (abs(T22 + (v14 * v19 +
+        v13 * v20)) <= pose_slack and (abs(T21 + (v14 * v20 - v13 * v19)) <= pose_slack and (abs(T14
+        - (a1 + d3 * s2 - (s4 * (d5 * v15) - c4 * (d5 * s2)))) <= pose_slack1 and (abs(T13 - (s2 *
+        c4 - s4 * v15)) <= pose_slack and (abs(T11 - (v14 * v17 - v13 * v16)) <= pose_slack and
+        abs(T12 - (v13 * v17 + v14 * v16)) <= pose_slack))))))))))) else math.sqrt(-1.0)
+    )
+
+    # joint values
+    q1_p = wz + v22
+    angle1___ = _atan2(v1, -C2)
+    q2_p = v22 + angle1___
+    q3_p = angle1 + v22
+    q3_m = v22 + (angle1 - math.copysign(half_turn, -T33) * h1)
+    q4_p = angle1_ + v22
+    q4_m = v22 - angle1_
+    q5_p = angle1__ + v22
+    q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
+    doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    q[0, 4] = q5_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_p
+    q[1, 1] = q2_p
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    q[1, 4] = q5_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -396,13 +495,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 5) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 5) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (5,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -419,10 +528,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 5)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (5,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -484,10 +591,168 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(5)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2112, 2144, 2176, 2208, 2240],
+    [2112, 2144, 2272, 2304, 2336],
+])
+_KINDS = np.array([2368, 2400])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2432)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wz = T34 - d5 * T33
+            v1 = d3 * (T14 - d5 * T13 - a1)
+            C2 = d3 * (T24 - d5 * T23)
+            v2 = v1 * v1 + C2 * C2
+            v3 = 1.0 / math.sqrt(v2)
+            v4 = C2 * v3
+            s2 = v1 * v3
+            X3 = T23 * s2 - T13 * v4
+            v5 = X3 * X3 + T33 * T33
+            w3 = math.sqrt(v5)
+            factor3 = 1.0 / w3
+            v6 = X3 * factor3
+            v7 = T33 * factor3
+            v8 = T23 * v4 + T13 * s2
+            v9 = v5 + v8 * v8
+            v10 = 1.0 / math.sqrt(v9)
+            c4 = v8 * v10
+            s4 = w3 * v10
+            C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12)
+            S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11)
+            v11 = S5 * S5 + C5 * C5
+            v12 = 1.0 / math.sqrt(v11)
+            v13 = C5 * v12
+            v14 = S5 * v12
+            v15 = v4 * v6
+            v16 = c4 * v15 + s2 * s4
+            v17 = v4 * v7
+            v18 = s2 * v6
+            v19 = c4 * v18 - v4 * s4
+            v20 = s2 * v7
+            v21 = v7 * c4
+            v22 = (
+                0.0 if (abs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1 and (abs(T33 - v7 * s4) <=
+                pose_slack and (abs(T32 - (v6 * v13 - v14 * v21)) <= pose_slack and (abs(T31 - (v13
+                * v21 + v6 * v14)) <= pose_slack and (abs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 *
+                (d5 * v18)))) <= pose_slack1 and (abs(T23 - (v4 * c4 + s4 * v18)) <= pose_slack and
+                (abs(T22 + (v14 * v19 + v13 * v20)) <= pose_slack and (abs(T21 + (v14 * v20 - v13 *
+                v19)) <= pose_slack and (abs(T14 - (a1 + d3 * s2 - (s4 * (d5 * v15) - c4 * (d5 *
+                s2)))) <= pose_slack1 and (abs(T13 - (s2 * c4 - s4 * v15)) <= pose_slack and
+                (abs(T11 - (v14 * v17 - v13 * v16)) <= pose_slack and abs(T12 - (v13 * v17 + v14 *
+                v16)) <= pose_slack))))))))))) else math.sqrt(-1.0)
+            )
+            q1_p = wz + v22
+            doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
+            work[1184 + k] = S5
+            work[960 + k] = v22
+            work[1568 + k] = q1_p
+            work[1600 + k] = doubt
+            work[1632 + k] = -T33
+            work[1664 + k] = w3
+            work[1696 + k] = -S5
+            work[1728 + k] = v1
+            work[1760 + k] = -X3
+            work[1792 + k] = v8
+            work[1824 + k] = -C5
+            work[1856 + k] = -C2
+        for k in range(1632, 1760):
+            work[k] = _atan2(work[k], work[k + 128])
+        for k in range(0, 32):
+            T33 = work[320 + k]
+            v22 = work[960 + k]
+            S5 = work[1184 + k]
+            q1_p = work[1568 + k]
+            doubt = work[1600 + k] != 0.0
+            angle1 = work[1632 + k]
+            angle1_ = work[1664 + k]
+            angle1__ = work[1696 + k]
+            angle1___ = work[1728 + k]
+            q2_p = v22 + angle1___
+            q3_p = angle1 + v22
+            q3_m = v22 + (angle1 - math.copysign(half_turn, -T33) * h1)
+            q4_p = angle1_ + v22
+            q4_m = v22 - angle1_
+            q5_p = angle1__ + v22
+            q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
+            _2112 = q1_p
+            work[2112 + k] = _2112
+            _2144 = q2_p
+            work[2144 + k] = _2144
+            _2176 = q3_p
+            work[2176 + k] = _2176
+            _2208 = q4_p
+            work[2208 + k] = _2208
+            _2240 = q5_p
+            work[2240 + k] = _2240
+            _2272 = q3_m
+            work[2272 + k] = _2272
+            _2304 = q4_m
+            work[2304 + k] = _2304
+            _2336 = q5_m
+            work[2336 + k] = _2336
+            work[2368 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[2400 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(5):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -498,14 +763,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 5)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

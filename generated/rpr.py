@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "rpr"
 METHOD = "closed form"
@@ -54,6 +55,9 @@ reach_slack1 = 8.000000000000001e-14  # rounding at the boundary of the workspac
 merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / (a3^2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 6.4e-25  # free_limit1^2 [m^2]
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -71,7 +75,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -126,6 +130,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -234,15 +241,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -256,6 +260,62 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[1, 4]
+    v1 = T24 * T24 + T14 * T14
+    w1 = math.sqrt(v1)
+    angle1 = _atan2(-T14, T24)
+
+    # theta3, type 2: U0[3, 4]
+    Z3 = T34 - d1
+    D3 = k1 - Z3 * Z3
+    v2 = 2.0 * abs(Z3)
+    w3 = math.sqrt(D3)
+    v3 = w3 - w3
+    v4 = a3 * w3
+    angle1_ = _atan2(-v4, -(a3 * Z3))
+
+    # r2, type 1: U1[3, 4]
+    v5 = a3 * (k2 * v4)
+    q2_pp = w1 + v5
+    q2_pm = w1 - v5
+
+    # joint values
+    q1_pp = angle1 + v3
+    q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
+    doubt = (
+        v1 <= m1 or -(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
+        (merge_slack1 + v2) < D3)
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = q2_pp
+    q[0, 2] = angle1_
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pp
+    q[1, 1] = q2_pm
+    q[1, 2] = -angle1_
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = -q2_pm
+    q[2, 2] = angle1_
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mp
+    q[3, 1] = -q2_pp
+    q[3, 2] = -angle1_
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -279,13 +339,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -302,10 +372,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 3)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -367,10 +435,112 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1120, 1152, 1184],
+    [1120, 1216, 1248],
+    [1280, 1312, 1184],
+    [1280, 1344, 1248],
+])
+_KINDS = np.array([1376, 1408, 1440, 1472])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1504)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            T34 = work[352 + k]
+            v1 = T24 * T24 + T14 * T14
+            w1 = math.sqrt(v1)
+            Z3 = T34 - d1
+            D3 = k1 - Z3 * Z3
+            v2 = 2.0 * abs(Z3)
+            w3 = math.sqrt(D3)
+            v3 = w3 - w3
+            v4 = a3 * w3
+            v5 = a3 * (k2 * v4)
+            q2_pp = w1 + v5
+            q2_pm = w1 - v5
+            doubt = (
+                v1 <= m1 or -(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
+                (merge_slack1 + v2) < D3)
+            )
+            work[800 + k] = v3
+            work[832 + k] = q2_pp
+            work[864 + k] = q2_pm
+            work[896 + k] = doubt
+            work[928 + k] = -T14
+            work[960 + k] = -v4
+            work[992 + k] = T24
+            work[1024 + k] = -(a3 * Z3)
+        for k in range(928, 992):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            v3 = work[800 + k]
+            q2_pp = work[832 + k]
+            q2_pm = work[864 + k]
+            doubt = work[896 + k] != 0.0
+            angle1 = work[928 + k]
+            angle1_ = work[960 + k]
+            q1_pp = angle1 + v3
+            q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
+            _1120 = q1_pp
+            work[1120 + k] = _1120
+            _1152 = q2_pp
+            work[1152 + k] = _1152
+            _1184 = angle1_
+            work[1184 + k] = _1184
+            _1216 = q2_pm
+            work[1216 + k] = _1216
+            _1248 = -angle1_
+            work[1248 + k] = _1248
+            _1280 = q1_mp
+            work[1280 + k] = _1280
+            _1312 = -q2_pm
+            work[1312 + k] = _1312
+            _1344 = -q2_pp
+            work[1344 + k] = _1344
+            work[1376 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1408 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1440 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1472 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -381,14 +551,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

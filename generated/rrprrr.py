@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "rrprrr"
 METHOD = "closed form"
@@ -56,6 +57,9 @@ INVALID_POSE = 4  # NaN: T is no pose
 
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-24  # free_limit1^2 [m^2]
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -73,7 +77,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -152,6 +156,9 @@ def fk(q):
     T[2, 3] = -(c2 * q[2])
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -354,15 +361,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -376,6 +380,119 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = T14 * factor1
+    v3 = T24 * factor1
+    angle1 = _atan2(-T24, -T14)
+    q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
+
+    # theta2, r3, type 4: U1[1, 4] and U1[3, 4]
+    v4 = v1 + T34 * T34
+    q3_ppp = math.sqrt(v4)
+    factor2 = 1.0 / q3_ppp
+    v5 = T34 * factor2
+    v6 = w1 * factor2
+    angle1_ = _atan2(-w1, -T34)
+    q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
+
+    # theta4, type 2: U4[2, 3]
+    v7 = v2 * T13 + v3 * T23
+    X4 = v5 * v7 - v6 * T33
+    Y4 = v3 * T13 - v2 * T23
+    v8 = Y4 * Y4 + X4 * X4
+    w4 = math.sqrt(v8)
+    factor4 = 1.0 / w4
+    v9 = X4 * factor4
+    s4 = Y4 * factor4
+    angle1__ = _atan2(Y4, -X4)
+    q4_ppm = angle1__ - h1 * math.copysign(half_turn, Y4)
+
+    # theta5, type 3: U4[3, 3] and U4[1, 3]
+    angle1___ = _atan2(-w4, v6 * v7 + v5 * T33)
+    q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
+    v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
+    angle1____ = (
+        _atan2(v10, v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32))
+    )
+    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
+
+    # joint values
+    doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1
+    q[0, 1] = angle1_
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1__
+    q[0, 4] = angle1___
+    q[0, 5] = angle1____
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = angle1
+    q[1, 1] = angle1_
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1___
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = angle1
+    q[2, 1] = q2_pmp
+    q[2, 2] = -q3_ppp
+    q[2, 3] = -q4_ppm
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_ppm
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = angle1
+    q[3, 1] = q2_pmp
+    q[3, 2] = -q3_ppp
+    q[3, 3] = -angle1__
+    q[3, 4] = -q5_pmp
+    q[3, 5] = angle1____
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = -angle1_
+    q[4, 2] = q3_ppp
+    q[4, 3] = q4_ppm
+    q[4, 4] = angle1___
+    q[4, 5] = angle1____
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = -angle1_
+    q[5, 2] = q3_ppp
+    q[5, 3] = angle1__
+    q[5, 4] = -angle1___
+    q[5, 5] = q6_ppm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = -q2_pmp
+    q[6, 2] = -q3_ppp
+    q[6, 3] = -angle1__
+    q[6, 4] = q5_pmp
+    q[6, 5] = q6_ppm
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = -q2_pmp
+    q[7, 2] = -q3_ppp
+    q[7, 3] = -q4_ppm
+    q[7, 4] = -q5_pmp
+    q[7, 5] = angle1____
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -399,13 +516,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -422,10 +549,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -487,10 +612,183 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1664, 1696, 1728, 1760, 1792, 1824],
+    [1664, 1696, 1728, 1856, 1888, 1920],
+    [1664, 1952, 1984, 2016, 2048, 1920],
+    [1664, 1952, 1984, 2080, 2112, 1824],
+    [2144, 2176, 1728, 1856, 1792, 1824],
+    [2144, 2176, 1728, 1760, 1888, 1920],
+    [2144, 2208, 1984, 2080, 2048, 1920],
+    [2144, 2208, 1984, 2016, 2112, 1824],
+])
+_KINDS = np.array([2240, 2272, 2304, 2336, 2368, 2400, 2432, 2464])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2496)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = T14 * factor1
+            v3 = T24 * factor1
+            v4 = v1 + T34 * T34
+            q3_ppp = math.sqrt(v4)
+            factor2 = 1.0 / q3_ppp
+            v5 = T34 * factor2
+            v6 = w1 * factor2
+            v7 = v2 * T13 + v3 * T23
+            X4 = v5 * v7 - v6 * T33
+            Y4 = v3 * T13 - v2 * T23
+            v8 = Y4 * Y4 + X4 * X4
+            w4 = math.sqrt(v8)
+            factor4 = 1.0 / w4
+            v9 = X4 * factor4
+            s4 = Y4 * factor4
+            v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
+            doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
+            work[832 + k] = w1
+            work[576 + k] = q3_ppp
+            work[544 + k] = Y4
+            work[992 + k] = w4
+            work[1056 + k] = v10
+            work[1152 + k] = doubt
+            work[1184 + k] = -T24
+            work[1216 + k] = -w1
+            work[1248 + k] = Y4
+            work[1280 + k] = -w4
+            work[1312 + k] = v10
+            work[1344 + k] = -T14
+            work[1376 + k] = -T34
+            work[1408 + k] = -X4
+            work[1440 + k] = v6 * v7 + v5 * T33
+            work[1472 + k] = (
+                v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32)
+            )
+        for k in range(1184, 1344):
+            work[k] = _atan2(work[k], work[k + 160])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            Y4 = work[544 + k]
+            q3_ppp = work[576 + k]
+            w1 = work[832 + k]
+            w4 = work[992 + k]
+            v10 = work[1056 + k]
+            doubt = work[1152 + k] != 0.0
+            angle1 = work[1184 + k]
+            angle1_ = work[1216 + k]
+            angle1__ = work[1248 + k]
+            angle1___ = work[1280 + k]
+            angle1____ = work[1312 + k]
+            q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
+            q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
+            q4_ppm = angle1__ - h1 * math.copysign(half_turn, Y4)
+            q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
+            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
+            _1664 = angle1
+            work[1664 + k] = _1664
+            _1696 = angle1_
+            work[1696 + k] = _1696
+            _1728 = q3_ppp
+            work[1728 + k] = _1728
+            _1760 = angle1__
+            work[1760 + k] = _1760
+            _1792 = angle1___
+            work[1792 + k] = _1792
+            _1824 = angle1____
+            work[1824 + k] = _1824
+            _1856 = q4_ppm
+            work[1856 + k] = _1856
+            _1888 = -angle1___
+            work[1888 + k] = _1888
+            _1920 = q6_ppm
+            work[1920 + k] = _1920
+            _1952 = q2_pmp
+            work[1952 + k] = _1952
+            _1984 = -q3_ppp
+            work[1984 + k] = _1984
+            _2016 = -q4_ppm
+            work[2016 + k] = _2016
+            _2048 = q5_pmp
+            work[2048 + k] = _2048
+            _2080 = -angle1__
+            work[2080 + k] = _2080
+            _2112 = -q5_pmp
+            work[2112 + k] = _2112
+            _2144 = q1_mpp
+            work[2144 + k] = _2144
+            _2176 = -angle1_
+            work[2176 + k] = _2176
+            _2208 = -q2_pmp
+            work[2208 + k] = _2208
+            work[2240 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2272 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2304 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2336 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2368 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[2400 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[2432 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[2464 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -501,14 +799,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "scara_prrr"
 METHOD = "closed form"
@@ -60,6 +61,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 9.150625e-50  # free_limit_squared2^2 [m^4]
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -77,7 +82,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -107,7 +112,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -138,6 +143,9 @@ def fk(q):
     T[2, 3] = q[0]
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -304,15 +312,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(4):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -326,6 +331,108 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta234, type 3: U0[1, 2] and U0[2, 2]
+    v1 = T21 * T21 + T11 * T11
+    free234 = v1 <= m1
+    v2 = 1.0 / math.sqrt(v1)
+    c234 = T11 * v2
+    s234 = T21 * v2
+    angle1 = _atan2(T21, T11)
+
+    # theta3, type 8: U0[1, 4] and U0[2, 4]
+    N3 = T14 * T14 + T24 * T24
+    K3 = N3 - k1
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    s3 = k2 * w3
+    c3 = k2 * K3
+    angle1_ = _atan2(w3, K3)
+
+    # theta2, type 3: U0[2, 4] and U0[1, 4]
+    X1_2 = a2 + a3 * c3
+    Y1_2 = a3 * s3
+    v3 = T24 * X1_2
+    v4 = T14 * Y1_2
+    S2_p = v3 - v4
+    S2_m = v3 + v4
+    v5 = T14 * X1_2
+    v6 = T24 * Y1_2
+    C2_p = v5 + v6
+    C2_m = v5 - v6
+    v7 = S2_p * S2_p + C2_p * C2_p
+    v8 = S2_m * S2_m + C2_m * C2_m
+    free2_p = v7 <= m2
+    free2_m = v8 <= m2
+    factor2_p = 1.0 / math.sqrt(v7)
+    factor2_m = 1.0 / math.sqrt(v8)
+    c2_p = C2_p * factor2_p
+    c2_m = C2_m * factor2_m
+    s2_p = S2_p * factor2_p
+    s2_m = S2_m * factor2_m
+    angle1__ = _atan2(S2_p, C2_p)
+    angle1___ = _atan2(S2_m, C2_m)
+
+    # is the pose one that the arm can take?
+    v9 = math.sqrt(-1.0)
+    v10 = (
+        0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
+        and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and (abs(T21 - s234) <=
+        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <= pose_slack and abs(T12 -
+        s234) <= pose_slack)))))))) else v9
+    )
+    v11 = (
+        0.0 if (abs(T14 - (a3 * (c3 * c2_p - s3 * s2_p) + a2 * c2_p)) <= pose_slack1 and abs(T24 -
+        (a3 * (c3 * s2_p + s3 * c2_p) + a2 * s2_p)) <= pose_slack1) else v9
+    )
+    v12 = (
+        0.0 if (abs(T14 - (a3 * (c3 * c2_m + s3 * s2_m) + a2 * c2_m)) <= pose_slack1 and abs(T24 -
+        (a3 * (c3 * s2_m - s3 * c2_m) + a2 * s2_m)) <= pose_slack1) else v9
+    )
+
+    # joint values
+    v13 = angle1 - (angle1_ + angle1__)
+    v14 = angle1 - (angle1___ - angle1_)
+    v15 = v10 + (w3 - w3 + T34)
+    q1_p = v11 + v15
+    q1_m = v12 + v15
+    q2_p = v11 + (angle1__ + v10)
+    q2_m = v12 + (angle1___ + v10)
+    q3_p = v11 + (angle1_ + v10)
+    q3_m = v12 + (v10 - angle1_)
+    q4_p = (
+        v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else 0.0)))
+    )
+    q4_m = (
+        v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else 0.0)))
+    )
+    doubt = (
+        free2_m or (free234 or free2_m) or (free234 or shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
+        (free234 or free2_p)))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -349,13 +456,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (4,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -372,10 +489,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (4,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -437,10 +552,187 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(4)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2272, 2304, 2336, 2368],
+    [2400, 2432, 2464, 2496],
+])
+_KINDS = np.array([2528, 2560])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2592)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T21 * T21 + T11 * T11
+            free234 = v1 <= m1
+            v2 = 1.0 / math.sqrt(v1)
+            c234 = T11 * v2
+            s234 = T21 * v2
+            N3 = T14 * T14 + T24 * T24
+            K3 = N3 - k1
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            s3 = k2 * w3
+            c3 = k2 * K3
+            X1_2 = a2 + a3 * c3
+            Y1_2 = a3 * s3
+            v3 = T24 * X1_2
+            v4 = T14 * Y1_2
+            S2_p = v3 - v4
+            S2_m = v3 + v4
+            v5 = T14 * X1_2
+            v6 = T24 * Y1_2
+            C2_p = v5 + v6
+            C2_m = v5 - v6
+            v7 = S2_p * S2_p + C2_p * C2_p
+            v8 = S2_m * S2_m + C2_m * C2_m
+            free2_p = v7 <= m2
+            free2_m = v8 <= m2
+            factor2_p = 1.0 / math.sqrt(v7)
+            factor2_m = 1.0 / math.sqrt(v8)
+            c2_p = C2_p * factor2_p
+            c2_m = C2_m * factor2_m
+            s2_p = S2_p * factor2_p
+            s2_m = S2_m * factor2_m
+            v9 = math.sqrt(-1.0)
+            v10 = (
+                0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
+                pose_slack and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and
+                (abs(T21 - s234) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <=
+                pose_slack and abs(T12 - s234) <= pose_slack)))))))) else v9
+            )
+            v11 = (
+                0.0 if (abs(T14 - (a3 * (c3 * c2_p - s3 * s2_p) + a2 * c2_p)) <= pose_slack1 and
+                abs(T24 - (a3 * (c3 * s2_p + s3 * c2_p) + a2 * s2_p)) <= pose_slack1) else v9
+            )
+            v12 = (
+                0.0 if (abs(T14 - (a3 * (c3 * c2_m + s3 * s2_m) + a2 * c2_m)) <= pose_slack1 and
+                abs(T24 - (a3 * (c3 * s2_m - s3 * c2_m) + a2 * s2_m)) <= pose_slack1) else v9
+            )
+            v15 = v10 + (w3 - w3 + T34)
+            q1_p = v11 + v15
+            q1_m = v12 + v15
+            doubt = (
+                free2_m or (free234 or free2_m) or (free234 or shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
+                (free234 or free2_p)))
+            )
+            work[1536 + k] = v10
+            work[928 + k] = v11
+            work[1568 + k] = v12
+            work[1664 + k] = q1_p
+            work[1696 + k] = q1_m
+            work[1728 + k] = doubt
+            work[1760 + k] = T21
+            work[1792 + k] = w3
+            work[1824 + k] = S2_p
+            work[1856 + k] = S2_m
+            work[1888 + k] = T11
+            work[1920 + k] = K3
+            work[1952 + k] = C2_p
+            work[1984 + k] = C2_m
+        for k in range(1760, 1888):
+            work[k] = _atan2(work[k], work[k + 128])
+        for k in range(0, 32):
+            v11 = work[928 + k]
+            v10 = work[1536 + k]
+            v12 = work[1568 + k]
+            q1_p = work[1664 + k]
+            q1_m = work[1696 + k]
+            doubt = work[1728 + k] != 0.0
+            angle1 = work[1760 + k]
+            angle1_ = work[1792 + k]
+            angle1__ = work[1824 + k]
+            angle1___ = work[1856 + k]
+            v13 = angle1 - (angle1_ + angle1__)
+            v14 = angle1 - (angle1___ - angle1_)
+            q2_p = v11 + (angle1__ + v10)
+            q2_m = v12 + (angle1___ + v10)
+            q3_p = v11 + (angle1_ + v10)
+            q3_m = v12 + (v10 - angle1_)
+            q4_p = (
+                v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else
+                0.0)))
+            )
+            q4_m = (
+                v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
+                0.0)))
+            )
+            _2272 = q1_p
+            work[2272 + k] = _2272
+            _2304 = q2_p
+            work[2304 + k] = _2304
+            _2336 = q3_p
+            work[2336 + k] = _2336
+            _2368 = q4_p
+            work[2368 + k] = _2368
+            _2400 = q1_m
+            work[2400 + k] = _2400
+            _2432 = q2_m
+            work[2432 + k] = _2432
+            _2464 = q3_m
+            work[2464 + k] = _2464
+            _2496 = q4_m
+            work[2496 + k] = _2496
+            work[2528 + k] = UNREACHABLE if _2272 != _2272 else OK
+            work[2560 + k] = UNREACHABLE if _2400 != _2400 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(4):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -451,14 +743,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

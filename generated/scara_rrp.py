@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "scara_rrp"
 METHOD = "closed form"
@@ -57,6 +58,7 @@ shortest2_apart = 0.010000000000002408  # the shortest, where branches merge [m^
 free_limit_squared2 = 1.4399999999999998e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+m1 = 2.0735999999999995e-48  # free_limit_squared2^2 [m^4]
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -74,7 +76,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -126,6 +128,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -230,15 +235,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -252,6 +254,54 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    N2 = T14 * T14 + T24 * T24
+    K2 = N2 - k1
+    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    angle1 = _atan2(w2, K2)
+
+    # theta1, type 3: U0[2, 4] and U0[1, 4]
+    X1_1 = a1 + a2 * (k2 * K2)
+    Y1_1 = a2 * (k2 * w2)
+    v1 = T24 * X1_1
+    v2 = T14 * Y1_1
+    S1_p = v1 - v2
+    S1_m = v1 + v2
+    v3 = T14 * X1_1
+    v4 = T24 * Y1_1
+    C1_p = v3 + v4
+    C1_m = v3 - v4
+    angle1_ = _atan2(S1_p, C1_p)
+    angle1__ = _atan2(S1_m, C1_m)
+
+    # joint values
+    q3_p = T34 - d1 + (w2 - w2)
+    doubt = (
+        S1_m * S1_m + C1_m * C1_m <= m1 or (shortest2_reach <= N2 and N2 <= longest2_reach and not
+        (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p <= m1)
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1_
+    q[0, 1] = angle1
+    q[0, 2] = q3_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = angle1__
+    q[1, 1] = -angle1
+    q[1, 2] = q3_p
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -275,13 +325,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -298,10 +358,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 3)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -363,10 +421,102 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1216, 1248, 1280],
+    [1312, 1344, 1280],
+])
+_KINDS = np.array([1376, 1408])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1440)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            T34 = work[352 + k]
+            N2 = T14 * T14 + T24 * T24
+            K2 = N2 - k1
+            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+            X1_1 = a1 + a2 * (k2 * K2)
+            Y1_1 = a2 * (k2 * w2)
+            v1 = T24 * X1_1
+            v2 = T14 * Y1_1
+            S1_p = v1 - v2
+            S1_m = v1 + v2
+            v3 = T14 * X1_1
+            v4 = T24 * Y1_1
+            C1_p = v3 + v4
+            C1_m = v3 - v4
+            q3_p = T34 - d1 + (w2 - w2)
+            doubt = (
+                S1_m * S1_m + C1_m * C1_m <= m1 or (shortest2_reach <= N2 and N2 <= longest2_reach
+                and not (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p
+                <= m1)
+            )
+            work[960 + k] = q3_p
+            work[992 + k] = doubt
+            work[1024 + k] = w2
+            work[1056 + k] = S1_p
+            work[1088 + k] = S1_m
+            work[1120 + k] = K2
+            work[1152 + k] = C1_p
+            work[1184 + k] = C1_m
+        for k in range(1024, 1120):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 32):
+            q3_p = work[960 + k]
+            doubt = work[992 + k] != 0.0
+            angle1 = work[1024 + k]
+            angle1_ = work[1056 + k]
+            angle1__ = work[1088 + k]
+            _1216 = angle1_
+            work[1216 + k] = _1216
+            _1248 = angle1
+            work[1248 + k] = _1248
+            _1280 = q3_p
+            work[1280 + k] = _1280
+            _1312 = angle1__
+            work[1312 + k] = _1312
+            _1344 = -angle1
+            work[1344 + k] = _1344
+            work[1376 + k] = UNREACHABLE if _1216 != _1216 else OK
+            work[1408 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -377,14 +527,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

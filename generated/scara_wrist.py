@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "scara_wrist"
 METHOD = "closed form"
@@ -65,6 +66,11 @@ free_limit_squared2 = 1.69e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 2.8561e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -82,7 +88,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -112,7 +118,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -165,6 +171,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -374,15 +383,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -396,6 +402,104 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
+
+    # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
+    wx = T14 - d6 * T13
+    wy = T24 - d6 * T23
+    N2 = wx * wx + wy * wy
+    K2 = N2 - k1
+    w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+    v1 = w2 - w2
+    angle1 = _atan2(w2, K2)
+
+    # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
+    X1_1 = a1 + a2 * (k2 * K2)
+    Y1_1 = a2 * (k2 * w2)
+    v2 = wy * X1_1
+    v3 = wx * Y1_1
+    S1_p = v2 - v3
+    S1_m = v2 + v3
+    v4 = wx * X1_1
+    v5 = wy * Y1_1
+    C1_p = v4 + v5
+    C1_m = v4 - v5
+    angle1_ = _atan2(S1_p, C1_p)
+    angle1__ = _atan2(S1_m, C1_m)
+
+    # theta12m4, type 2: U4[3, 3]
+    v6 = T13 * T13 + T23 * T23
+    v7 = angle1 + angle1_
+    v8 = angle1__ - angle1
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1___ = _atan2(math.sqrt(v6), -T33)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    s6 = T13 * T21 - T23 * T11
+    angle1____ = _atan2(s6, T13 * T22 - T23 * T12)
+
+    # joint values
+    angle1_____ = _atan2(-T23, -T13)
+    v9 = angle1_____ - h1 * math.copysign(half_turn, -T23)
+    v10 = v7 - angle1_____
+    v11 = v7 - v9
+    v12 = v8 - angle1_____
+    v13 = v8 - v9
+    q4_pp = v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0)
+    q4_pm = v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)
+    q4_mp = v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)
+    q4_mm = v13 - (m4 if half_turn < v13 else 0.0) + (m4 if v13 <= -half_turn else 0.0)
+    q3_pp = v1 + (T34 - d6 * T33 - d1)
+    q5_pp = v1 + angle1___
+    q5_pm = v1 - angle1___
+    q6_pp = v1 + angle1____
+    q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
+    doubt = (
+        S1_m * S1_m + C1_m * C1_m <= m1 or (S1_p * S1_p + C1_p * C1_p <= m1 or (shortest2_reach <=
+        N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or v6 <=
+        m2))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1_
+    q[0, 1] = angle1
+    q[0, 2] = q3_pp
+    q[0, 3] = q4_pp
+    q[0, 4] = q5_pp
+    q[0, 5] = q6_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = angle1_
+    q[1, 1] = angle1
+    q[1, 2] = q3_pp
+    q[1, 3] = q4_pm
+    q[1, 4] = q5_pm
+    q[1, 5] = q6_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = angle1__
+    q[2, 1] = -angle1
+    q[2, 2] = q3_pp
+    q[2, 3] = q4_mp
+    q[2, 4] = q5_pp
+    q[2, 5] = q6_pp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = angle1__
+    q[3, 1] = -angle1
+    q[3, 2] = q3_pp
+    q[3, 3] = q4_mm
+    q[3, 4] = q5_pm
+    q[3, 5] = q6_pm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -419,13 +523,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -442,10 +556,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 6)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -507,10 +619,174 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2048, 2080, 2112, 2144, 2176, 2208],
+    [2048, 2080, 2112, 2240, 2272, 2304],
+    [2336, 2368, 2112, 2400, 2176, 2208],
+    [2336, 2368, 2112, 2432, 2272, 2304],
+])
+_KINDS = np.array([2464, 2496, 2528, 2560])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(2592)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            wy = T24 - d6 * T23
+            N2 = wx * wx + wy * wy
+            K2 = N2 - k1
+            w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
+            v1 = w2 - w2
+            X1_1 = a1 + a2 * (k2 * K2)
+            Y1_1 = a2 * (k2 * w2)
+            v2 = wy * X1_1
+            v3 = wx * Y1_1
+            S1_p = v2 - v3
+            S1_m = v2 + v3
+            v4 = wx * X1_1
+            v5 = wy * Y1_1
+            C1_p = v4 + v5
+            C1_m = v4 - v5
+            v6 = T13 * T13 + T23 * T23
+            s6 = T13 * T21 - T23 * T11
+            q3_pp = v1 + (T34 - d6 * T33 - d1)
+            doubt = (
+                S1_m * S1_m + C1_m * C1_m <= m1 or (S1_p * S1_p + C1_p * C1_p <= m1 or
+                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart) or v6 <= m2))
+            )
+            work[864 + k] = v1
+            work[640 + k] = s6
+            work[1120 + k] = q3_pp
+            work[1152 + k] = doubt
+            work[1184 + k] = w2
+            work[1216 + k] = S1_p
+            work[1248 + k] = S1_m
+            work[1280 + k] = math.sqrt(v6)
+            work[1312 + k] = s6
+            work[1344 + k] = -T23
+            work[1376 + k] = K2
+            work[1408 + k] = C1_p
+            work[1440 + k] = C1_m
+            work[1472 + k] = -T33
+            work[1504 + k] = T13 * T22 - T23 * T12
+            work[1536 + k] = -T13
+        for k in range(1184, 1376):
+            work[k] = _atan2(work[k], work[k + 192])
+        for k in range(0, 32):
+            T23 = work[192 + k]
+            s6 = work[640 + k]
+            v1 = work[864 + k]
+            q3_pp = work[1120 + k]
+            doubt = work[1152 + k] != 0.0
+            angle1 = work[1184 + k]
+            angle1_ = work[1216 + k]
+            angle1__ = work[1248 + k]
+            angle1___ = work[1280 + k]
+            angle1____ = work[1312 + k]
+            angle1_____ = work[1344 + k]
+            v7 = angle1 + angle1_
+            v8 = angle1__ - angle1
+            v9 = angle1_____ - h1 * math.copysign(half_turn, -T23)
+            v10 = v7 - angle1_____
+            v11 = v7 - v9
+            v12 = v8 - angle1_____
+            v13 = v8 - v9
+            q4_pp = v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0)
+            q4_pm = v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)
+            q4_mp = v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)
+            q4_mm = v13 - (m4 if half_turn < v13 else 0.0) + (m4 if v13 <= -half_turn else 0.0)
+            q5_pp = v1 + angle1___
+            q5_pm = v1 - angle1___
+            q6_pp = v1 + angle1____
+            q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
+            _2048 = angle1_
+            work[2048 + k] = _2048
+            _2080 = angle1
+            work[2080 + k] = _2080
+            _2112 = q3_pp
+            work[2112 + k] = _2112
+            _2144 = q4_pp
+            work[2144 + k] = _2144
+            _2176 = q5_pp
+            work[2176 + k] = _2176
+            _2208 = q6_pp
+            work[2208 + k] = _2208
+            _2240 = q4_pm
+            work[2240 + k] = _2240
+            _2272 = q5_pm
+            work[2272 + k] = _2272
+            _2304 = q6_pm
+            work[2304 + k] = _2304
+            _2336 = angle1__
+            work[2336 + k] = _2336
+            _2368 = -angle1
+            work[2368 + k] = _2368
+            _2400 = q4_mp
+            work[2400 + k] = _2400
+            _2432 = q4_mm
+            work[2432 + k] = _2432
+            work[2464 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[2496 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[2528 + k] = UNREACHABLE if _2336 != _2336 else OK
+            work[2560 + k] = UNREACHABLE if _2336 != _2336 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -521,14 +797,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -23,7 +23,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "scorbot_pointing"
 METHOD = "closed form"
@@ -71,6 +73,12 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.52e-06  # a pose may be rounded by this [m]
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 9.06304e-25  # free_limit1^2 [m^2]
+m3 = 9.999999999999998e-49  # free_limit_squared^2
+m4 = 8.213869404159996e-49  # free_limit_squared2^2 [m^4]
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -87,7 +95,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -117,7 +125,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -174,6 +182,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -425,7 +436,7 @@ def _attempt(pose, q_free, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, q_free, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -441,7 +452,7 @@ def _summit(pose, q_free, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, q_free, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -473,7 +484,7 @@ def _serving(pose, q_free, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, q_free, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -490,7 +501,7 @@ def _serving_digits(pose, q_free, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, q_free, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -511,15 +522,12 @@ def _choose_again(pose, q_free, given, row, q, status):
 
 
 @_jit
-def _ik(T, q_free, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T, q_free)
+def _whole(pose, q_free, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(5):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, q_free, seed, q, status)
     count = 0
     for row in range(4):
@@ -535,6 +543,199 @@ def _ik(T, q_free, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q_free, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = T14 * factor1
+    v3 = T24 * factor1
+    angle1 = _atan2(-T24, -T14)
+
+    # theta234, type 3: U1[2, 3] and U1[1, 3]
+    v4 = v2 * T13 + v3 * T23
+    v5 = T33 * T33 + v4 * v4
+    free234 = v5 <= m3
+    v6 = 1.0 / math.sqrt(v5)
+    c234 = T33 * v6
+    v7 = v4 * v6
+    angle1_ = _atan2(-v4, T33)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v8 = d5 * c234
+    Z1_3 = T34 - d1 - v8
+    v9 = d5 * v7
+    v10 = a1 + w1 - v9
+    v11 = v9 + (a1 - w1)
+    v12 = Z1_3 * Z1_3
+    N3_p = v12 + v10 * v10
+    N3_m = v12 + v11 * v11
+    K3_p = N3_p - k1
+    K3_m = N3_m - k1
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v13 = w3_p - w3_p
+    v14 = w3_m - w3_m
+    s3_p = k2 * w3_p
+    s3_m = k2 * w3_m
+    c3_p = k2 * K3_p
+    c3_m = k2 * K3_m
+    angle1__ = _atan2(w3_p, K3_p)
+    angle1___ = _atan2(w3_m, K3_m)
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v15 = a3 * s3_p
+    v16 = a3 * s3_m
+    Y1_2_p = a2 + a3 * c3_p
+    Y1_2_m = a2 + a3 * c3_m
+    v17 = Z1_3 * Y1_2_p
+    v18 = Z1_3 * Y1_2_m
+    v19 = v10 * v15
+    v20 = v11 * v16
+    S2_pp = v19 - v17
+    v21 = v17 + v19
+    S2_mp = v20 - v18
+    v22 = v18 + v20
+    v23 = v10 * Y1_2_p
+    v24 = v11 * Y1_2_m
+    v25 = Z1_3 * v15
+    v26 = Z1_3 * v16
+    v27 = v23 + v25
+    v28 = v23 - v25
+    v29 = v24 + v26
+    v30 = v24 - v26
+    v31 = S2_pp * S2_pp + v27 * v27
+    v32 = v21 * v21 + v28 * v28
+    v33 = S2_mp * S2_mp + v29 * v29
+    v34 = v22 * v22 + v30 * v30
+    free2_pp = v31 <= m4
+    free2_pm = v32 <= m4
+    free2_mp = v33 <= m4
+    free2_mm = v34 <= m4
+    factor2_pp = 1.0 / math.sqrt(v31)
+    factor2_pm = 1.0 / math.sqrt(v32)
+    factor2_mp = 1.0 / math.sqrt(v33)
+    factor2_mm = 1.0 / math.sqrt(v34)
+    v35 = v27 * factor2_pp
+    v36 = v28 * factor2_pm
+    v37 = v29 * factor2_mp
+    v38 = v30 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    v39 = v21 * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    v40 = v22 * factor2_mm
+    angle1____ = _atan2(S2_pp, -v27)
+    angle1_____ = _atan2(-v21, -v28)
+    angle1______ = _atan2(S2_mp, -v29)
+    angle1_______ = _atan2(-v22, -v30)
+
+    # is the pose one that the arm can take?
+    v41 = a1 - v9
+    v42 = a1 + v9
+    v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp)
+    v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39)
+    v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp)
+    v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40)
+    v47 = d1 + v8
+    v48 = math.sqrt(-1.0)
+    v49 = (
+        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and abs(T23 - v3
+        * v7) <= pose_slack)) else v48
+    )
+    v50 = (
+        0.0 if (abs(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp - v47))) <= pose_slack1
+        and (abs(T14 + v2 * v43) <= pose_slack1 and abs(T24 + v3 * v43) <= pose_slack1)) else v48
+    )
+    v51 = (
+        0.0 if (abs(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39))) <= pose_slack1 and
+        (abs(T14 + v2 * v44) <= pose_slack1 and abs(T24 + v3 * v44) <= pose_slack1)) else v48
+    )
+    v52 = (
+        0.0 if (abs(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp - v47))) <= pose_slack1
+        and (abs(T14 - v2 * v45) <= pose_slack1 and abs(T24 - v3 * v45) <= pose_slack1)) else v48
+    )
+    v53 = (
+        0.0 if (abs(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40))) <= pose_slack1 and
+        (abs(T14 - v2 * v46) <= pose_slack1 and abs(T24 - v3 * v46) <= pose_slack1)) else v48
+    )
+
+    # joint values
+    v54 = angle1_ - (angle1__ + angle1____) - offset4
+    v55 = angle1_ - (angle1_____ - angle1__) - offset4
+    v56 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v57 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v58 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+    v59 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+    v60 = (m5 if -v56 <= -half_turn else 0.0) - (v56 + (m5 if half_turn < -v56 else 0.0))
+    v61 = (m5 if -v57 <= -half_turn else 0.0) - (v57 + (m5 if half_turn < -v57 else 0.0))
+    v62 = v49 + (angle1 + v13)
+    v63 = v49 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
+    q1_pp = v50 + v62
+    q1_pm = v51 + v62
+    q1_mp = v52 + v63
+    q1_mm = v53 + v63
+    q2_pp = v50 + (angle1____ + v49)
+    q2_pm = v51 + (angle1_____ + v49)
+    q2_mp = v52 + (angle1______ + v49)
+    q2_mm = v53 + (angle1_______ + v49)
+    q3_pp = v50 + (angle1__ + v49)
+    q3_pm = v51 + (v49 - angle1__)
+    q3_mp = v52 + (angle1___ + v49)
+    q3_mm = v53 + (v49 - angle1___)
+    q4_pp = v50 + (v49 + (v58 + (m5 if v58 <= -half_turn else 0.0)))
+    q4_pm = v51 + (v49 + (v59 + (m5 if v59 <= -half_turn else 0.0)))
+    q4_mp = v52 + (v49 + (v60 + (m5 if v60 <= -half_turn else 0.0)))
+    q4_mm = v53 + (v49 + (v61 + (m5 if v61 <= -half_turn else 0.0)))
+    v64 = v49 + (v13 + q_free[0])
+    v65 = v49 + (v14 + q_free[0])
+    q5_pp = v50 + v64
+    q5_pm = v51 + v64
+    q5_mp = v52 + v65
+    q5_mm = v53 + v65
+    doubt = (
+        free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm or
+        (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach <= N3_m and
+        N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (free234 or v1 <= m1))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_pp
+    q[0, 1] = q2_pp
+    q[0, 2] = q3_pp
+    q[0, 3] = q4_pp
+    q[0, 4] = q5_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_pm
+    q[1, 1] = q2_pm
+    q[1, 2] = q3_pm
+    q[1, 3] = q4_pm
+    q[1, 4] = q5_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_mp
+    q[2, 1] = q2_mp
+    q[2, 2] = q3_mp
+    q[2, 3] = q4_mp
+    q[2, 4] = q5_mp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_mm
+    q[3, 1] = q2_mm
+    q[3, 2] = q3_mm
+    q[3, 3] = q4_mm
+    q[3, 4] = q5_mm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -561,13 +762,23 @@ def ik_into(T, q_free, q, status, q_seed=None):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
-    if q_seed is None:
-        return _ik(T, q_free, _ZEROS, q, status)
-    if q_seed.shape != (5,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_free, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -586,10 +797,8 @@ def ik_all(T, q_free, q_seed=None):
     q, status = np.empty((4, 5)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
     q_free = _array(q_free, (1,), "q_free")
-    if q_seed is None:
-        ik_into(T, q_free, q, status)
-    else:
-        ik_into(T, q_free, q, status, _array(q_seed, (5,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    ik_into(T, q_free, q, status, seed)
     return q, status
 
 
@@ -650,10 +859,304 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q_free, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q_free, q, status):
+    seed = np.empty(5)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], q_free[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q_free[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [4768, 4800, 4832, 4864, 4896],
+    [4928, 4960, 4992, 5024, 5056],
+    [5088, 5120, 5152, 5184, 5216],
+    [5248, 5280, 5312, 5344, 5376],
+])
+_KINDS = np.array([5408, 5440, 5472, 5504])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q_free, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(5536)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+            for i in range(1):
+                work[(16 + i) * 32 + k] = q_free[first + k, i]
+        for k in range(32):
+            x, y, z = work[64 + k], work[192 + k], work[320 + k]
+            square = x * x + y * y + z * z - 1.0
+            miss = (
+                square * square + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 +
+                k])
+            )
+            exact = miss <= 1e-24
+            work[544 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            given1 = work[512 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = T14 * factor1
+            v3 = T24 * factor1
+            v4 = v2 * T13 + v3 * T23
+            v5 = T33 * T33 + v4 * v4
+            free234 = v5 <= m3
+            v6 = 1.0 / math.sqrt(v5)
+            c234 = T33 * v6
+            v7 = v4 * v6
+            v8 = d5 * c234
+            Z1_3 = T34 - d1 - v8
+            v9 = d5 * v7
+            v10 = a1 + w1 - v9
+            v11 = v9 + (a1 - w1)
+            v12 = Z1_3 * Z1_3
+            N3_p = v12 + v10 * v10
+            N3_m = v12 + v11 * v11
+            K3_p = N3_p - k1
+            K3_m = N3_m - k1
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v13 = w3_p - w3_p
+            v14 = w3_m - w3_m
+            s3_p = k2 * w3_p
+            s3_m = k2 * w3_m
+            c3_p = k2 * K3_p
+            c3_m = k2 * K3_m
+            v15 = a3 * s3_p
+            v16 = a3 * s3_m
+            Y1_2_p = a2 + a3 * c3_p
+            Y1_2_m = a2 + a3 * c3_m
+            v17 = Z1_3 * Y1_2_p
+            v18 = Z1_3 * Y1_2_m
+            v19 = v10 * v15
+            v20 = v11 * v16
+            S2_pp = v19 - v17
+            v21 = v17 + v19
+            S2_mp = v20 - v18
+            v22 = v18 + v20
+            v23 = v10 * Y1_2_p
+            v24 = v11 * Y1_2_m
+            v25 = Z1_3 * v15
+            v26 = Z1_3 * v16
+            v27 = v23 + v25
+            v28 = v23 - v25
+            v29 = v24 + v26
+            v30 = v24 - v26
+            v31 = S2_pp * S2_pp + v27 * v27
+            v32 = v21 * v21 + v28 * v28
+            v33 = S2_mp * S2_mp + v29 * v29
+            v34 = v22 * v22 + v30 * v30
+            free2_pp = v31 <= m4
+            free2_pm = v32 <= m4
+            free2_mp = v33 <= m4
+            free2_mm = v34 <= m4
+            factor2_pp = 1.0 / math.sqrt(v31)
+            factor2_pm = 1.0 / math.sqrt(v32)
+            factor2_mp = 1.0 / math.sqrt(v33)
+            factor2_mm = 1.0 / math.sqrt(v34)
+            v35 = v27 * factor2_pp
+            v36 = v28 * factor2_pm
+            v37 = v29 * factor2_mp
+            v38 = v30 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            v39 = v21 * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            v40 = v22 * factor2_mm
+            v41 = a1 - v9
+            v42 = a1 + v9
+            v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp)
+            v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39)
+            v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp)
+            v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40)
+            v47 = d1 + v8
+            v48 = math.sqrt(-1.0)
+            v49 = (
+                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and
+                abs(T23 - v3 * v7) <= pose_slack)) else v48
+            )
+            v50 = (
+                0.0 if (abs(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp - v47))) <=
+                pose_slack1 and (abs(T14 + v2 * v43) <= pose_slack1 and abs(T24 + v3 * v43) <=
+                pose_slack1)) else v48
+            )
+            v51 = (
+                0.0 if (abs(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39))) <=
+                pose_slack1 and (abs(T14 + v2 * v44) <= pose_slack1 and abs(T24 + v3 * v44) <=
+                pose_slack1)) else v48
+            )
+            v52 = (
+                0.0 if (abs(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp - v47))) <=
+                pose_slack1 and (abs(T14 - v2 * v45) <= pose_slack1 and abs(T24 - v3 * v45) <=
+                pose_slack1)) else v48
+            )
+            v53 = (
+                0.0 if (abs(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40))) <=
+                pose_slack1 and (abs(T14 - v2 * v46) <= pose_slack1 and abs(T24 - v3 * v46) <=
+                pose_slack1)) else v48
+            )
+            v64 = v49 + (v13 + given1)
+            v65 = v49 + (v14 + given1)
+            q5_pp = v50 + v64
+            q5_pm = v51 + v64
+            q5_mp = v52 + v65
+            q5_mm = v53 + v65
+            doubt = (
+                free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm
+                or (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach
+                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (free234 or v1 <= m1))))))
+            )
+            work[2208 + k] = v13
+            work[2848 + k] = v14
+            work[736 + k] = v49
+            work[1952 + k] = v50
+            work[3200 + k] = v51
+            work[1728 + k] = v52
+            work[1984 + k] = v53
+            work[3264 + k] = q5_pp
+            work[3296 + k] = q5_pm
+            work[3328 + k] = q5_mp
+            work[3360 + k] = q5_mm
+            work[3392 + k] = doubt
+            work[3424 + k] = -T24
+            work[3456 + k] = -v4
+            work[3488 + k] = w3_p
+            work[3520 + k] = w3_m
+            work[3552 + k] = S2_pp
+            work[3584 + k] = -v21
+            work[3616 + k] = S2_mp
+            work[3648 + k] = -v22
+            work[3680 + k] = -T14
+            work[3712 + k] = T33
+            work[3744 + k] = K3_p
+            work[3776 + k] = K3_m
+            work[3808 + k] = -v27
+            work[3840 + k] = -v28
+            work[3872 + k] = -v29
+            work[3904 + k] = -v30
+        for k in range(3424, 3680):
+            work[k] = _atan2(work[k], work[k + 256])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            v49 = work[736 + k]
+            v52 = work[1728 + k]
+            v50 = work[1952 + k]
+            v53 = work[1984 + k]
+            v13 = work[2208 + k]
+            v14 = work[2848 + k]
+            v51 = work[3200 + k]
+            q5_pp = work[3264 + k]
+            q5_pm = work[3296 + k]
+            q5_mp = work[3328 + k]
+            q5_mm = work[3360 + k]
+            doubt = work[3392 + k] != 0.0
+            angle1 = work[3424 + k]
+            angle1_ = work[3456 + k]
+            angle1__ = work[3488 + k]
+            angle1___ = work[3520 + k]
+            angle1____ = work[3552 + k]
+            angle1_____ = work[3584 + k]
+            angle1______ = work[3616 + k]
+            angle1_______ = work[3648 + k]
+            v54 = angle1_ - (angle1__ + angle1____) - offset4
+            v55 = angle1_ - (angle1_____ - angle1__) - offset4
+            v56 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v57 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v58 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+            v59 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+            v60 = (m5 if -v56 <= -half_turn else 0.0) - (v56 + (m5 if half_turn < -v56 else 0.0))
+            v61 = (m5 if -v57 <= -half_turn else 0.0) - (v57 + (m5 if half_turn < -v57 else 0.0))
+            v62 = v49 + (angle1 + v13)
+            v63 = v49 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
+            q1_pp = v50 + v62
+            q1_pm = v51 + v62
+            q1_mp = v52 + v63
+            q1_mm = v53 + v63
+            q2_pp = v50 + (angle1____ + v49)
+            q2_pm = v51 + (angle1_____ + v49)
+            q2_mp = v52 + (angle1______ + v49)
+            q2_mm = v53 + (angle1_______ + v49)
+            q3_pp = v50 + (angle1__ + v49)
+            q3_pm = v51 + (v49 - angle1__)
+            q3_mp = v52 + (angle1___ + v49)
+            q3_mm = v53 + (v49 - angle1___)
+            q4_pp = v50 + (v49 + (v58 + (m5 if v58 <= -half_turn else 0.0)))
+            q4_pm = v51 + (v49 + (v59 + (m5 if v59 <= -half_turn else 0.0)))
+            q4_mp = v52 + (v49 + (v60 + (m5 if v60 <= -half_turn else 0.0)))
+            q4_mm = v53 + (v49 + (v61 + (m5 if v61 <= -half_turn else 0.0)))
+            _4768 = q1_pp
+            work[4768 + k] = _4768
+            _4800 = q2_pp
+            work[4800 + k] = _4800
+            _4832 = q3_pp
+            work[4832 + k] = _4832
+            _4864 = q4_pp
+            work[4864 + k] = _4864
+            _4896 = q5_pp
+            work[4896 + k] = _4896
+            _4928 = q1_pm
+            work[4928 + k] = _4928
+            _4960 = q2_pm
+            work[4960 + k] = _4960
+            _4992 = q3_pm
+            work[4992 + k] = _4992
+            _5024 = q4_pm
+            work[5024 + k] = _5024
+            _5056 = q5_pm
+            work[5056 + k] = _5056
+            _5088 = q1_mp
+            work[5088 + k] = _5088
+            _5120 = q2_mp
+            work[5120 + k] = _5120
+            _5152 = q3_mp
+            work[5152 + k] = _5152
+            _5184 = q4_mp
+            work[5184 + k] = _5184
+            _5216 = q5_mp
+            work[5216 + k] = _5216
+            _5248 = q1_mm
+            work[5248 + k] = _5248
+            _5280 = q2_mm
+            work[5280 + k] = _5280
+            _5312 = q3_mm
+            work[5312 + k] = _5312
+            _5344 = q4_mm
+            work[5344 + k] = _5344
+            _5376 = q5_mm
+            work[5376 + k] = _5376
+            work[5408 + k] = UNREACHABLE if _4768 != _4768 else OK
+            work[5440 + k] = UNREACHABLE if _4928 != _4928 else OK
+            work[5472 + k] = UNREACHABLE if _5088 != _5088 else OK
+            work[5504 + k] = UNREACHABLE if _5248 != _5248 else OK
+            work[544 + k] = 1.0 if doubt else work[544 + k]
+        for k in range(count):
+            if work[544 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(5):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, q_free, *, cores=None):
@@ -665,14 +1168,23 @@ def ik_batch(T, q_free, *, cores=None):
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
     q_free = _array(q_free, (len(T), 1), "q_free")
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q_free, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q_free, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q_free, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

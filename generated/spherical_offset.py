@@ -23,7 +23,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "spherical_offset"
 METHOD = "closed form"
@@ -55,6 +56,9 @@ free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 2.2499999999999997e-26  # free_limit1^2 [m^2]
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -72,7 +76,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -129,6 +133,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -242,15 +249,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(4):
@@ -264,6 +268,59 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    v2 = d2 * T14
+    v3 = d2 * T24
+    v4 = T14 * w1
+    v5 = T24 * w1
+    angle1 = _atan2(-(v2 + v5), v3 - v4)
+    angle1_ = _atan2(v5 - v2, v3 + v4)
+
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    v6 = D1 + T34 * T34
+    w3 = math.sqrt(v6)
+    angle1__ = _atan2(-w1, T34)
+    q2_pm = angle1__ - math.copysign(half_turn, -w1) * h1
+
+    # joint values
+    q3_pp = v1 + w3
+    q3_pm = v1 - w3
+    doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1
+    q[0, 1] = angle1__
+    q[0, 2] = q3_pp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = angle1
+    q[1, 1] = q2_pm
+    q[1, 2] = q3_pm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = angle1_
+    q[2, 1] = -angle1__
+    q[2, 2] = q3_pp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = angle1_
+    q[3, 1] = -q2_pm
+    q[3, 2] = q3_pm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    return True
 
 
 @_jit
@@ -287,13 +344,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -310,10 +377,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((4, 3)), np.empty(4, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -375,10 +440,112 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [1216, 1248, 1280],
+    [1216, 1312, 1344],
+    [1376, 1408, 1280],
+    [1376, 1440, 1344],
+])
+_KINDS = np.array([1472, 1504, 1536, 1568])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1600)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T14 = work[96 + k]
+            T24 = work[224 + k]
+            T34 = work[352 + k]
+            N1 = T14 * T14 + T24 * T24
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            v2 = d2 * T14
+            v3 = d2 * T24
+            v4 = T14 * w1
+            v5 = T24 * w1
+            v6 = D1 + T34 * T34
+            w3 = math.sqrt(v6)
+            q3_pp = v1 + w3
+            q3_pm = v1 - w3
+            doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
+            work[736 + k] = w1
+            work[896 + k] = q3_pp
+            work[928 + k] = q3_pm
+            work[960 + k] = doubt
+            work[992 + k] = -(v2 + v5)
+            work[1024 + k] = v5 - v2
+            work[1056 + k] = -w1
+            work[1088 + k] = v3 - v4
+            work[1120 + k] = v3 + v4
+            work[1152 + k] = T34
+        for k in range(992, 1088):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 32):
+            w1 = work[736 + k]
+            q3_pp = work[896 + k]
+            q3_pm = work[928 + k]
+            doubt = work[960 + k] != 0.0
+            angle1 = work[992 + k]
+            angle1_ = work[1024 + k]
+            angle1__ = work[1056 + k]
+            q2_pm = angle1__ - math.copysign(half_turn, -w1) * h1
+            _1216 = angle1
+            work[1216 + k] = _1216
+            _1248 = angle1__
+            work[1248 + k] = _1248
+            _1280 = q3_pp
+            work[1280 + k] = _1280
+            _1312 = q2_pm
+            work[1312 + k] = _1312
+            _1344 = q3_pm
+            work[1344 + k] = _1344
+            _1376 = angle1_
+            work[1376 + k] = _1376
+            _1408 = -angle1__
+            work[1408 + k] = _1408
+            _1440 = -q2_pm
+            work[1440 + k] = _1440
+            work[1472 + k] = UNREACHABLE if _1216 != _1216 else OK
+            work[1504 + k] = UNREACHABLE if _1216 != _1216 else OK
+            work[1536 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[1568 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(4):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -389,14 +556,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -23,7 +23,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "spherical_wrist_all_offsets"
 METHOD = "closed form"
@@ -80,6 +81,12 @@ k5 = 0.3268  # 2 * d4 * a2 [m^2]
 k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k8 = 8.866112830151877  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+turn1 = -1.3382393849899876  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1.0038758560000011e-47  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -96,7 +103,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -185,6 +192,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -463,15 +473,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -485,6 +492,261 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    wx = T14 - d6 * T13
+    Y1 = d6 * T23 - T24
+    N1 = wx * wx + Y1 * Y1
+    D1 = N1 - k2
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = k1 * wx
+    v2 = k1 * Y1
+    v3 = wx * w1
+    v4 = v2 + v3
+    v5 = v2 - v3
+    v6 = inverse1 * v4
+    v7 = inverse1 * v5
+    v8 = Y1 * w1
+    v9 = v8 - v1
+    v10 = v1 + v8
+    s1_p = inverse1 * v9
+    v11 = inverse1 * v10
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    v12 = a1 + w1
+    v13 = a1 - w1
+    v14 = Z1_3 * Z1_3
+    N3_p = v14 + v12 * v12
+    N3_m = v14 + v13 * v13
+    K3_p = N3_p - k7
+    K3_m = N3_m - k7
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v15 = k5 * K3_p
+    v16 = k5 * K3_m
+    v17 = k6 * w3_p
+    v18 = k6 * w3_m
+    s3_pp = k8 * (v15 + v17)
+    s3_pm = k8 * (v15 - v17)
+    s3_mp = k8 * (v16 + v18)
+    s3_mm = k8 * (v16 - v18)
+    v19 = k6 * K3_p
+    v20 = k6 * K3_m
+    v21 = k5 * w3_p
+    v22 = k5 * w3_m
+    c3_pp = k8 * (v19 - v21)
+    c3_pm = k8 * (v19 + v21)
+    c3_mp = k8 * (v20 - v22)
+    c3_mm = k8 * (v20 + v22)
+    angle1 = _atan2(w3_p, K3_p)
+    angle1_ = _atan2(w3_m, K3_m)
+    q3__pp = angle1 - turn1
+    v23 = turn1 + angle1
+    q3__mp = angle1_ - turn1
+    v24 = turn1 + angle1_
+
+    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
+    X1_2_pp = d4 * c3_pp - a3 * s3_pp
+    X1_2_pm = d4 * c3_pm - a3 * s3_pm
+    X1_2_mp = d4 * c3_mp - a3 * s3_mp
+    X1_2_mm = d4 * c3_mm - a3 * s3_mm
+    Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+    Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+    Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+    Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+    v25 = v12 * X1_2_pp + Z1_3 * Y1_2_pp
+    v26 = v12 * X1_2_pm + Z1_3 * Y1_2_pm
+    v27 = v13 * X1_2_mp + Z1_3 * Y1_2_mp
+    v28 = v13 * X1_2_mm + Z1_3 * Y1_2_mm
+    C2_pp = Z1_3 * X1_2_pp - v12 * Y1_2_pp
+    C2_pm = Z1_3 * X1_2_pm - v12 * Y1_2_pm
+    C2_mp = Z1_3 * X1_2_mp - v13 * Y1_2_mp
+    C2_mm = Z1_3 * X1_2_mm - v13 * Y1_2_mm
+    v29 = v25 * v25 + C2_pp * C2_pp
+    v30 = v26 * v26 + C2_pm * C2_pm
+    v31 = v27 * v27 + C2_mp * C2_mp
+    v32 = v28 * v28 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v29)
+    factor2_pm = 1.0 / math.sqrt(v30)
+    factor2_mp = 1.0 / math.sqrt(v31)
+    factor2_mm = 1.0 / math.sqrt(v32)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = C2_mp * factor2_mp
+    c2_mm = C2_mm * factor2_mm
+    v33 = v25 * factor2_pp
+    v34 = v26 * factor2_pm
+    v35 = v27 * factor2_mp
+    v36 = v28 * factor2_mm
+    angle1__ = _atan2(-v25, C2_pp)
+    angle1___ = _atan2(-v26, C2_pm)
+    angle1____ = _atan2(-v27, C2_mp)
+    angle1_____ = _atan2(-v28, C2_mm)
+
+    # theta4, type 2: U4[3, 3]
+    c23_pp = c3_pp * c2_pp + s3_pp * v33
+    c23_pm = c3_pm * c2_pm + s3_pm * v34
+    c23_mp = c3_mp * c2_mp + s3_mp * v35
+    c23_mm = c3_mm * c2_mm + s3_mm * v36
+    s23_pp = s3_pp * c2_pp - c3_pp * v33
+    s23_pm = s3_pm * c2_pm - c3_pm * v34
+    s23_mp = s3_mp * c2_mp - c3_mp * v35
+    s23_mm = s3_mm * c2_mm - c3_mm * v36
+    v37 = T23 * s1_p - T13 * v6
+    v38 = T23 * v11 + T13 * v7
+    X4_pp = c23_pp * v37 - T33 * s23_pp
+    X4_pm = c23_pm * v37 - T33 * s23_pm
+    v39 = c23_mp * v38 + T33 * s23_mp
+    v40 = c23_mm * v38 + T33 * s23_mm
+    Y4_p = T13 * s1_p + T23 * v6
+    Y4_m = T23 * v7 - T13 * v11
+    v41 = Y4_p * Y4_p
+    v42 = Y4_m * Y4_m
+    v43 = v41 + X4_pp * X4_pp
+    v44 = v41 + X4_pm * X4_pm
+    v45 = v42 + v39 * v39
+    v46 = v42 + v40 * v40
+    w4_pp = math.sqrt(v43)
+    w4_pm = math.sqrt(v44)
+    w4_mp = math.sqrt(v45)
+    w4_mm = math.sqrt(v46)
+    factor4_pp = 1.0 / w4_pp
+    factor4_pm = 1.0 / w4_pm
+    factor4_mp = 1.0 / w4_mp
+    factor4_mm = 1.0 / w4_mm
+    v47 = X4_pp * factor4_pp
+    v48 = X4_pm * factor4_pm
+    v49 = v39 * factor4_mp
+    v50 = v40 * factor4_mm
+    s4_pp = Y4_p * factor4_pp
+    s4_pm = Y4_p * factor4_pm
+    s4_mp = Y4_m * factor4_mp
+    s4_mm = Y4_m * factor4_mm
+    angle1______ = _atan2(Y4_p, -X4_pp)
+    angle1_______ = _atan2(Y4_p, -X4_pm)
+    angle1________ = _atan2(Y4_m, v39)
+    angle1_________ = _atan2(Y4_m, v40)
+    v51 = math.copysign(half_turn, Y4_p) * h1
+    v52 = math.copysign(half_turn, Y4_m) * h1
+    q4_ppm = angle1______ - v51
+    q4_pmm = angle1_______ - v51
+    q4_mpm = angle1________ - v52
+    q4_mmm = angle1_________ - v52
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    angle1__________ = _atan2(-w4_pp, T33 * c23_pp + s23_pp * v37)
+    angle1___________ = _atan2(-w4_pm, T33 * c23_pm + s23_pm * v37)
+    angle1____________ = _atan2(-w4_mp, T33 * c23_mp - s23_mp * v38)
+    angle1_____________ = _atan2(-w4_mm, T33 * c23_mm - s23_mm * v38)
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v53 = s1_p * T12 + v6 * T22
+    v54 = v7 * T22 - v11 * T12
+    v55 = s1_p * T22 - v6 * T12
+    v56 = v11 * T22 + v7 * T12
+    v57 = s1_p * T11 + v6 * T21
+    v58 = v7 * T21 - v11 * T11
+    v59 = s1_p * T21 - v6 * T11
+    v60 = v11 * T21 + v7 * T11
+    v61 = v47 * v57 - s4_pp * (c23_pp * v59 - s23_pp * T31)
+    v62 = v48 * v57 - s4_pm * (c23_pm * v59 - s23_pm * T31)
+    v63 = s4_mp * (c23_mp * v60 + s23_mp * T31) - v49 * v58
+    v64 = s4_mm * (c23_mm * v60 + s23_mm * T31) - v50 * v58
+    angle1______________ = _atan2(v61, v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp * T32))
+    angle1_______________ = _atan2(v62, v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm * T32))
+    angle1________________ = _atan2(v63, s4_mp * (c23_mp * v56 + s23_mp * T32) - v49 * v54)
+    angle1_________________ = _atan2(v64, s4_mm * (c23_mm * v56 + s23_mm * T32) - v50 * v54)
+    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v61)
+    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v62)
+    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v63)
+    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v64)
+
+    # joint values
+    q3_ppp = q3__pp - (m4 if half_turn < q3__pp else 0.0)
+    q3_mpp = q3__mp - (m4 if half_turn < q3__mp else 0.0)
+    angle1__________________ = _atan2(v9, -v4)
+    q1_ppp = angle1__________________ + (w3_p - w3_p)
+    angle1___________________ = _atan2(-v10, -v5)
+    q1_mpp = angle1___________________ + (w3_m - w3_m)
+    doubt = (
+        v32 <= m1 or v46 <= m2 or (v31 <= m1 or v45 <= m2 or (v30 <= m1 or v44 <= m2 or (v29 <= m1
+        or v43 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart) or (free1 or -k3 <= D1 and (free1 or
+        not (k4 < D1))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1__
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1______
+    q[0, 4] = angle1__________
+    q[0, 5] = angle1______________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1__
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1__________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1___
+    q[2, 2] = -(v23 + (m4 if half_turn < -v23 else 0.0))
+    q[2, 3] = angle1_______
+    q[2, 4] = angle1___________
+    q[2, 5] = angle1_______________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1___
+    q[3, 2] = -(v23 + (m4 if half_turn < -v23 else 0.0))
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1___________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1____
+    q[4, 2] = q3_mpp
+    q[4, 3] = angle1________
+    q[4, 4] = angle1____________
+    q[4, 5] = angle1________________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1____
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1____________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1_____
+    q[6, 2] = -(v24 + (m4 if half_turn < -v24 else 0.0))
+    q[6, 3] = angle1_________
+    q[6, 4] = angle1_____________
+    q[6, 5] = angle1_________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1_____
+    q[7, 2] = -(v24 + (m4 if half_turn < -v24 else 0.0))
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1_____________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -508,13 +770,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -531,10 +803,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -594,10 +864,390 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6496, 6528, 6560, 6592, 6624, 6656],
+    [6496, 6528, 6560, 6688, 6720, 6752],
+    [6496, 6784, 6816, 6848, 6880, 6912],
+    [6496, 6784, 6816, 6944, 6976, 7008],
+    [7040, 7072, 7104, 7136, 7168, 7200],
+    [7040, 7072, 7104, 7232, 7264, 7296],
+    [7040, 7328, 7360, 7392, 7424, 7456],
+    [7040, 7328, 7360, 7488, 7520, 7552],
+])
+_KINDS = np.array([7584, 7616, 7648, 7680, 7712, 7744, 7776, 7808])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7840)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            wx = T14 - d6 * T13
+            Y1 = d6 * T23 - T24
+            N1 = wx * wx + Y1 * Y1
+            D1 = N1 - k2
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = k1 * wx
+            v2 = k1 * Y1
+            v3 = wx * w1
+            v4 = v2 + v3
+            v5 = v2 - v3
+            v6 = inverse1 * v4
+            v7 = inverse1 * v5
+            v8 = Y1 * w1
+            v9 = v8 - v1
+            v10 = v1 + v8
+            s1_p = inverse1 * v9
+            v11 = inverse1 * v10
+            Z1_3 = T34 - d6 * T33 - d1
+            v12 = a1 + w1
+            v13 = a1 - w1
+            v14 = Z1_3 * Z1_3
+            N3_p = v14 + v12 * v12
+            N3_m = v14 + v13 * v13
+            K3_p = N3_p - k7
+            K3_m = N3_m - k7
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v15 = k5 * K3_p
+            v16 = k5 * K3_m
+            v17 = k6 * w3_p
+            v18 = k6 * w3_m
+            s3_pp = k8 * (v15 + v17)
+            s3_pm = k8 * (v15 - v17)
+            s3_mp = k8 * (v16 + v18)
+            s3_mm = k8 * (v16 - v18)
+            v19 = k6 * K3_p
+            v20 = k6 * K3_m
+            v21 = k5 * w3_p
+            v22 = k5 * w3_m
+            c3_pp = k8 * (v19 - v21)
+            c3_pm = k8 * (v19 + v21)
+            c3_mp = k8 * (v20 - v22)
+            c3_mm = k8 * (v20 + v22)
+            X1_2_pp = d4 * c3_pp - a3 * s3_pp
+            X1_2_pm = d4 * c3_pm - a3 * s3_pm
+            X1_2_mp = d4 * c3_mp - a3 * s3_mp
+            X1_2_mm = d4 * c3_mm - a3 * s3_mm
+            Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
+            Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
+            Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
+            Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
+            v25 = v12 * X1_2_pp + Z1_3 * Y1_2_pp
+            v26 = v12 * X1_2_pm + Z1_3 * Y1_2_pm
+            v27 = v13 * X1_2_mp + Z1_3 * Y1_2_mp
+            v28 = v13 * X1_2_mm + Z1_3 * Y1_2_mm
+            C2_pp = Z1_3 * X1_2_pp - v12 * Y1_2_pp
+            C2_pm = Z1_3 * X1_2_pm - v12 * Y1_2_pm
+            C2_mp = Z1_3 * X1_2_mp - v13 * Y1_2_mp
+            C2_mm = Z1_3 * X1_2_mm - v13 * Y1_2_mm
+            v29 = v25 * v25 + C2_pp * C2_pp
+            v30 = v26 * v26 + C2_pm * C2_pm
+            v31 = v27 * v27 + C2_mp * C2_mp
+            v32 = v28 * v28 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v29)
+            factor2_pm = 1.0 / math.sqrt(v30)
+            factor2_mp = 1.0 / math.sqrt(v31)
+            factor2_mm = 1.0 / math.sqrt(v32)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = C2_mp * factor2_mp
+            c2_mm = C2_mm * factor2_mm
+            v33 = v25 * factor2_pp
+            v34 = v26 * factor2_pm
+            v35 = v27 * factor2_mp
+            v36 = v28 * factor2_mm
+            c23_pp = c3_pp * c2_pp + s3_pp * v33
+            c23_pm = c3_pm * c2_pm + s3_pm * v34
+            c23_mp = c3_mp * c2_mp + s3_mp * v35
+            c23_mm = c3_mm * c2_mm + s3_mm * v36
+            s23_pp = s3_pp * c2_pp - c3_pp * v33
+            s23_pm = s3_pm * c2_pm - c3_pm * v34
+            s23_mp = s3_mp * c2_mp - c3_mp * v35
+            s23_mm = s3_mm * c2_mm - c3_mm * v36
+            v37 = T23 * s1_p - T13 * v6
+            v38 = T23 * v11 + T13 * v7
+            X4_pp = c23_pp * v37 - T33 * s23_pp
+            X4_pm = c23_pm * v37 - T33 * s23_pm
+            v39 = c23_mp * v38 + T33 * s23_mp
+            v40 = c23_mm * v38 + T33 * s23_mm
+            Y4_p = T13 * s1_p + T23 * v6
+            Y4_m = T23 * v7 - T13 * v11
+            v41 = Y4_p * Y4_p
+            v42 = Y4_m * Y4_m
+            v43 = v41 + X4_pp * X4_pp
+            v44 = v41 + X4_pm * X4_pm
+            v45 = v42 + v39 * v39
+            v46 = v42 + v40 * v40
+            w4_pp = math.sqrt(v43)
+            w4_pm = math.sqrt(v44)
+            w4_mp = math.sqrt(v45)
+            w4_mm = math.sqrt(v46)
+            factor4_pp = 1.0 / w4_pp
+            factor4_pm = 1.0 / w4_pm
+            factor4_mp = 1.0 / w4_mp
+            factor4_mm = 1.0 / w4_mm
+            v47 = X4_pp * factor4_pp
+            v48 = X4_pm * factor4_pm
+            v49 = v39 * factor4_mp
+            v50 = v40 * factor4_mm
+            s4_pp = Y4_p * factor4_pp
+            s4_pm = Y4_p * factor4_pm
+            s4_mp = Y4_m * factor4_mp
+            s4_mm = Y4_m * factor4_mm
+            v51 = math.copysign(half_turn, Y4_p) * h1
+            v52 = math.copysign(half_turn, Y4_m) * h1
+            v53 = s1_p * T12 + v6 * T22
+            v54 = v7 * T22 - v11 * T12
+            v55 = s1_p * T22 - v6 * T12
+            v56 = v11 * T22 + v7 * T12
+            v57 = s1_p * T11 + v6 * T21
+            v58 = v7 * T21 - v11 * T11
+            v59 = s1_p * T21 - v6 * T11
+            v60 = v11 * T21 + v7 * T11
+            v61 = v47 * v57 - s4_pp * (c23_pp * v59 - s23_pp * T31)
+            v62 = v48 * v57 - s4_pm * (c23_pm * v59 - s23_pm * T31)
+            v63 = s4_mp * (c23_mp * v60 + s23_mp * T31) - v49 * v58
+            v64 = s4_mm * (c23_mm * v60 + s23_mm * T31) - v50 * v58
+            doubt = (
+                v32 <= m1 or v46 <= m2 or (v31 <= m1 or v45 <= m2 or (v30 <= m1 or v44 <= m2 or (v29
+                <= m1 or v43 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and
+                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
+                (free1 or -k3 <= D1 and (free1 or not (k4 < D1))))))))
+            )
+            work[1376 + k] = w3_p
+            work[3776 + k] = w3_m
+            work[4608 + k] = v51
+            work[4640 + k] = v52
+            work[2976 + k] = v61
+            work[608 + k] = v62
+            work[1952 + k] = v63
+            work[3744 + k] = v64
+            work[4672 + k] = doubt
+            work[4704 + k] = w3_p
+            work[4736 + k] = w3_m
+            work[4768 + k] = -v25
+            work[4800 + k] = -v26
+            work[4832 + k] = -v27
+            work[4864 + k] = -v28
+            work[4896 + k] = Y4_p
+            work[4928 + k] = Y4_p
+            work[4960 + k] = Y4_m
+            work[4992 + k] = Y4_m
+            work[5024 + k] = -w4_pp
+            work[5056 + k] = -w4_pm
+            work[5088 + k] = -w4_mp
+            work[5120 + k] = -w4_mm
+            work[5152 + k] = v61
+            work[5184 + k] = v62
+            work[5216 + k] = v63
+            work[5248 + k] = v64
+            work[5280 + k] = v9
+            work[5312 + k] = -v10
+            work[5344 + k] = K3_p
+            work[5376 + k] = K3_m
+            work[5408 + k] = C2_pp
+            work[5440 + k] = C2_pm
+            work[5472 + k] = C2_mp
+            work[5504 + k] = C2_mm
+            work[5536 + k] = -X4_pp
+            work[5568 + k] = -X4_pm
+            work[5600 + k] = v39
+            work[5632 + k] = v40
+            work[5664 + k] = T33 * c23_pp + s23_pp * v37
+            work[5696 + k] = T33 * c23_pm + s23_pm * v37
+            work[5728 + k] = T33 * c23_mp - s23_mp * v38
+            work[5760 + k] = T33 * c23_mm - s23_mm * v38
+            work[5792 + k] = v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp * T32)
+            work[5824 + k] = v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm * T32)
+            work[5856 + k] = s4_mp * (c23_mp * v56 + s23_mp * T32) - v49 * v54
+            work[5888 + k] = s4_mm * (c23_mm * v56 + s23_mm * T32) - v50 * v54
+            work[5920 + k] = -v4
+            work[5952 + k] = -v5
+        for k in range(4704, 5344):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            v62 = work[608 + k]
+            w3_p = work[1376 + k]
+            v63 = work[1952 + k]
+            v61 = work[2976 + k]
+            v64 = work[3744 + k]
+            w3_m = work[3776 + k]
+            v51 = work[4608 + k]
+            v52 = work[4640 + k]
+            doubt = work[4672 + k] != 0.0
+            angle1 = work[4704 + k]
+            angle1_ = work[4736 + k]
+            angle1__ = work[4768 + k]
+            angle1___ = work[4800 + k]
+            angle1____ = work[4832 + k]
+            angle1_____ = work[4864 + k]
+            angle1______ = work[4896 + k]
+            angle1_______ = work[4928 + k]
+            angle1________ = work[4960 + k]
+            angle1_________ = work[4992 + k]
+            angle1__________ = work[5024 + k]
+            angle1___________ = work[5056 + k]
+            angle1____________ = work[5088 + k]
+            angle1_____________ = work[5120 + k]
+            angle1______________ = work[5152 + k]
+            angle1_______________ = work[5184 + k]
+            angle1________________ = work[5216 + k]
+            angle1_________________ = work[5248 + k]
+            angle1__________________ = work[5280 + k]
+            angle1___________________ = work[5312 + k]
+            q3__pp = angle1 - turn1
+            v23 = turn1 + angle1
+            q3__mp = angle1_ - turn1
+            v24 = turn1 + angle1_
+            q4_ppm = angle1______ - v51
+            q4_pmm = angle1_______ - v51
+            q4_mpm = angle1________ - v52
+            q4_mmm = angle1_________ - v52
+            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v61)
+            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v62)
+            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v63)
+            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v64)
+            q3_ppp = q3__pp - (m4 if half_turn < q3__pp else 0.0)
+            q3_mpp = q3__mp - (m4 if half_turn < q3__mp else 0.0)
+            q1_ppp = angle1__________________ + (w3_p - w3_p)
+            q1_mpp = angle1___________________ + (w3_m - w3_m)
+            _6496 = q1_ppp
+            work[6496 + k] = _6496
+            _6528 = angle1__
+            work[6528 + k] = _6528
+            _6560 = q3_ppp
+            work[6560 + k] = _6560
+            _6592 = angle1______
+            work[6592 + k] = _6592
+            _6624 = angle1__________
+            work[6624 + k] = _6624
+            _6656 = angle1______________
+            work[6656 + k] = _6656
+            _6688 = q4_ppm
+            work[6688 + k] = _6688
+            _6720 = -angle1__________
+            work[6720 + k] = _6720
+            _6752 = q6_ppm
+            work[6752 + k] = _6752
+            _6784 = angle1___
+            work[6784 + k] = _6784
+            _6816 = -(v23 + (m4 if half_turn < -v23 else 0.0))
+            work[6816 + k] = _6816
+            _6848 = angle1_______
+            work[6848 + k] = _6848
+            _6880 = angle1___________
+            work[6880 + k] = _6880
+            _6912 = angle1_______________
+            work[6912 + k] = _6912
+            _6944 = q4_pmm
+            work[6944 + k] = _6944
+            _6976 = -angle1___________
+            work[6976 + k] = _6976
+            _7008 = q6_pmm
+            work[7008 + k] = _7008
+            _7040 = q1_mpp
+            work[7040 + k] = _7040
+            _7072 = angle1____
+            work[7072 + k] = _7072
+            _7104 = q3_mpp
+            work[7104 + k] = _7104
+            _7136 = angle1________
+            work[7136 + k] = _7136
+            _7168 = angle1____________
+            work[7168 + k] = _7168
+            _7200 = angle1________________
+            work[7200 + k] = _7200
+            _7232 = q4_mpm
+            work[7232 + k] = _7232
+            _7264 = -angle1____________
+            work[7264 + k] = _7264
+            _7296 = q6_mpm
+            work[7296 + k] = _7296
+            _7328 = angle1_____
+            work[7328 + k] = _7328
+            _7360 = -(v24 + (m4 if half_turn < -v24 else 0.0))
+            work[7360 + k] = _7360
+            _7392 = angle1_________
+            work[7392 + k] = _7392
+            _7424 = angle1_____________
+            work[7424 + k] = _7424
+            _7456 = angle1_________________
+            work[7456 + k] = _7456
+            _7488 = q4_mmm
+            work[7488 + k] = _7488
+            _7520 = -angle1_____________
+            work[7520 + k] = _7520
+            _7552 = q6_mmm
+            work[7552 + k] = _7552
+            work[7584 + k] = UNREACHABLE if _6496 != _6496 else OK
+            work[7616 + k] = UNREACHABLE if _6496 != _6496 else OK
+            work[7648 + k] = UNREACHABLE if _6496 != _6496 else OK
+            work[7680 + k] = UNREACHABLE if _6496 != _6496 else OK
+            work[7712 + k] = UNREACHABLE if _7040 != _7040 else OK
+            work[7744 + k] = UNREACHABLE if _7040 != _7040 else OK
+            work[7776 + k] = UNREACHABLE if _7040 != _7040 else OK
+            work[7808 + k] = UNREACHABLE if _7040 != _7040 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -608,14 +1258,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "stanford"
 METHOD = "closed form"
@@ -64,6 +65,22 @@ k1 = 0.13369999999999999  # d2 - a3 [m]
 k2 = 0.01787569  # (d2 - a3)^2 [m^2]
 k3 = 1.5677662000003437e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
 k4 = 1.5677662000000342e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.9670597293903604  # lowest value of joint 1
+high1 = 2.9670597293903604  # highest value of joint 1
+low2 = -2.9670597293903604  # lowest value of joint 2
+high2 = 2.9670597293903604  # highest value of joint 2
+low3 = 0.304799999  # lowest value of joint 3
+high3 = 1.270000001  # highest value of joint 3
+low4 = -2.9670597293903604  # lowest value of joint 4
+high4 = 2.9670597293903604  # highest value of joint 4
+low5 = -1.5707963277948966  # lowest value of joint 5
+high5 = 1.5707963277948966  # highest value of joint 5
+low6 = -2.9670597293903604  # lowest value of joint 6
+high6 = 2.9670597293903604  # highest value of joint 6
+m1 = 3.4374768999999993e-25  # free_limit1^2 [m^2]
+m3 = 1e-24  # free_limit^2
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -81,7 +98,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -162,6 +179,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -373,15 +393,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -395,6 +412,200 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    N1 = T14 * T14 + T24 * T24
+    D1 = N1 - k2
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    inverse1 = 1.0 / N1
+    v2 = k1 * T14
+    v3 = k1 * T24
+    v4 = T14 * w1
+    v5 = v3 - v4
+    v6 = v3 + v4
+    c1_p = inverse1 * v5
+    c1_m = inverse1 * v6
+    v7 = T24 * w1
+    v8 = v2 + v7
+    v9 = v2 - v7
+    v10 = inverse1 * v8
+    v11 = inverse1 * v9
+    angle1 = _atan2(-v8, v5)
+    angle1_ = _atan2(-v9, v6)
+
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    Y2_2 = T34 - d1
+    v12 = D1 + Y2_2 * Y2_2
+    w3 = math.sqrt(v12)
+    factor2 = 1.0 / w3
+    c2 = Y2_2 * factor2
+    v13 = w1 * factor2
+    angle1__ = _atan2(-w1, Y2_2)
+    q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
+
+    # theta4, type 2: U4[3, 3]
+    v14 = v10 * T13 + c1_p * T23
+    v15 = v11 * T13 + c1_m * T23
+    v16 = c1_p * T13 - v10 * T23
+    v17 = c1_m * T13 - v11 * T23
+    v18 = v13 * T33
+    v19 = v18 + c2 * v16
+    v20 = c2 * v17 - v18
+    v21 = v14 * v14 + v19 * v19
+    v22 = v15 * v15 + v20 * v20
+    w4_p = math.sqrt(v21)
+    w4_m = math.sqrt(v22)
+    factor4_p = 1.0 / w4_p
+    factor4_m = 1.0 / w4_m
+    c4_p = v14 * factor4_p
+    c4_m = v15 * factor4_m
+    v23 = v19 * factor4_p
+    v24 = v20 * factor4_m
+    angle1___ = _atan2(-v19, v14)
+    angle1____ = _atan2(-v20, v15)
+    q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v19)
+    q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v20)
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    v25 = c2 * T33
+    angle1_____ = _atan2(-w4_p, v25 - v13 * v16)
+    angle1______ = _atan2(-w4_m, v25 + v13 * v17)
+    q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
+    q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v26 = v13 * T32
+    v27 = v13 * T31
+    s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11)
+    s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11)
+    angle1_______ = (
+        _atan2(s6_p, c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 * (c1_p * T22 + v10 * T12))
+    )
+    angle1________ = (
+        _atan2(s6_m, c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24 * (c1_m * T22 + v11 * T12))
+    )
+    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
+    q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
+
+    # joint values
+    v28 = angle1 < low1 or high1 < angle1
+    v29 = angle1_ < low1 or high1 < angle1_
+    v30 = w3 < low3 or high3 < w3
+    v31 = -w3 < low3 or high3 < -w3
+    q3_ppp = v1 + w3
+    q3_pmp = v1 - w3
+    v32 = v30 or (v28 or (angle1__ < low2 or high2 < angle1__))
+    v33 = v31 or (v28 or (q2_pmp < low2 or high2 < q2_pmp))
+    v34 = v30 or (v29 or (-angle1__ < low2 or high2 < -angle1__))
+    v35 = v31 or (v29 or (-q2_pmp < low2 or high2 < -q2_pmp))
+    v36 = angle1_______ < low6 or high6 < angle1_______
+    outside_ppp = (
+        v36 or (angle1_____ < low5 or high5 < angle1_____ or (v32 or (angle1___ < low4 or high4 <
+        angle1___)))
+    )
+    v37 = q6_ppm < low6 or high6 < q6_ppm
+    outside_ppm = (
+        v37 or (-angle1_____ < low5 or high5 < -angle1_____ or (v32 or (q4_ppm < low4 or high4 <
+        q4_ppm)))
+    )
+    outside_pmp = (
+        v37 or (q5_pmp < low5 or high5 < q5_pmp or (v33 or (-angle1___ < low4 or high4 <
+        -angle1___)))
+    )
+    outside_pmm = (
+        v36 or (-q5_pmp < low5 or high5 < -q5_pmp or (v33 or (-q4_ppm < low4 or high4 < -q4_ppm)))
+    )
+    v38 = angle1________ < low6 or high6 < angle1________
+    outside_mpp = (
+        v38 or (angle1______ < low5 or high5 < angle1______ or (v34 or (angle1____ < low4 or high4 <
+        angle1____)))
+    )
+    v39 = q6_mpm < low6 or high6 < q6_mpm
+    outside_mpm = (
+        v39 or (-angle1______ < low5 or high5 < -angle1______ or (v34 or (q4_mpm < low4 or high4 <
+        q4_mpm)))
+    )
+    outside_mmp = (
+        v39 or (q5_mmp < low5 or high5 < q5_mmp or (v35 or (-angle1____ < low4 or high4 <
+        -angle1____)))
+    )
+    outside_mmm = (
+        v38 or (-q5_mmp < low5 or high5 < -q5_mmp or (v35 or (-q4_mpm < low4 or high4 < -q4_mpm)))
+    )
+    doubt = (
+        v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 < D1)))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1
+    q[0, 1] = angle1__
+    q[0, 2] = q3_ppp
+    q[0, 3] = angle1___
+    q[0, 4] = angle1_____
+    q[0, 5] = angle1_______
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = angle1
+    q[1, 1] = angle1__
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1_____
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = angle1
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = -angle1___
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_ppm
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = angle1
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = -q4_ppm
+    q[3, 4] = -q5_pmp
+    q[3, 5] = angle1_______
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = angle1_
+    q[4, 1] = -angle1__
+    q[4, 2] = q3_ppp
+    q[4, 3] = angle1____
+    q[4, 4] = angle1______
+    q[4, 5] = angle1________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = angle1_
+    q[5, 1] = -angle1__
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1______
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = angle1_
+    q[6, 1] = -q2_pmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = -angle1____
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mpm
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = angle1_
+    q[7, 1] = -q2_pmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = -q4_mpm
+    q[7, 4] = -q5_mmp
+    q[7, 5] = angle1________
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -418,13 +629,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -441,10 +662,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -506,10 +725,322 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [3552, 3584, 3616, 3648, 3680, 3712],
+    [3552, 3584, 3616, 3744, 3776, 3808],
+    [3552, 3840, 3872, 3904, 3936, 3808],
+    [3552, 3840, 3872, 3968, 4000, 3712],
+    [4032, 4064, 3616, 4096, 4128, 4160],
+    [4032, 4064, 3616, 4192, 4224, 4256],
+    [4032, 4288, 3872, 4320, 4352, 4256],
+    [4032, 4288, 3872, 4384, 4416, 4160],
+])
+_KINDS = np.array([4448, 4480, 4512, 4544, 4576, 4608, 4640, 4672])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(4704)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            N1 = T14 * T14 + T24 * T24
+            D1 = N1 - k2
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            inverse1 = 1.0 / N1
+            v2 = k1 * T14
+            v3 = k1 * T24
+            v4 = T14 * w1
+            v5 = v3 - v4
+            v6 = v3 + v4
+            c1_p = inverse1 * v5
+            c1_m = inverse1 * v6
+            v7 = T24 * w1
+            v8 = v2 + v7
+            v9 = v2 - v7
+            v10 = inverse1 * v8
+            v11 = inverse1 * v9
+            Y2_2 = T34 - d1
+            v12 = D1 + Y2_2 * Y2_2
+            w3 = math.sqrt(v12)
+            factor2 = 1.0 / w3
+            c2 = Y2_2 * factor2
+            v13 = w1 * factor2
+            v14 = v10 * T13 + c1_p * T23
+            v15 = v11 * T13 + c1_m * T23
+            v16 = c1_p * T13 - v10 * T23
+            v17 = c1_m * T13 - v11 * T23
+            v18 = v13 * T33
+            v19 = v18 + c2 * v16
+            v20 = c2 * v17 - v18
+            v21 = v14 * v14 + v19 * v19
+            v22 = v15 * v15 + v20 * v20
+            w4_p = math.sqrt(v21)
+            w4_m = math.sqrt(v22)
+            factor4_p = 1.0 / w4_p
+            factor4_m = 1.0 / w4_m
+            c4_p = v14 * factor4_p
+            c4_m = v15 * factor4_m
+            v23 = v19 * factor4_p
+            v24 = v20 * factor4_m
+            v25 = c2 * T33
+            v26 = v13 * T32
+            v27 = v13 * T31
+            s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11)
+            s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11)
+            v30 = w3 < low3 or high3 < w3
+            v31 = -w3 < low3 or high3 < -w3
+            q3_ppp = v1 + w3
+            q3_pmp = v1 - w3
+            doubt = (
+                v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 <
+                D1)))))
+            )
+            work[1152 + k] = w1
+            work[1888 + k] = v19
+            work[1408 + k] = v20
+            work[1088 + k] = w4_p
+            work[544 + k] = w4_m
+            work[800 + k] = s6_p
+            work[1920 + k] = s6_m
+            work[2016 + k] = v30
+            work[2048 + k] = v31
+            work[2080 + k] = q3_ppp
+            work[2112 + k] = q3_pmp
+            work[2144 + k] = doubt
+            work[2176 + k] = -v8
+            work[2208 + k] = -v9
+            work[2240 + k] = -w1
+            work[2272 + k] = -v19
+            work[2304 + k] = -v20
+            work[2336 + k] = -w4_p
+            work[2368 + k] = -w4_m
+            work[2400 + k] = s6_p
+            work[2432 + k] = s6_m
+            work[2464 + k] = v5
+            work[2496 + k] = v6
+            work[2528 + k] = Y2_2
+            work[2560 + k] = v14
+            work[2592 + k] = v15
+            work[2624 + k] = v25 - v13 * v16
+            work[2656 + k] = v25 + v13 * v17
+            work[2688 + k] = (
+                c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 * (c1_p * T22 + v10 * T12)
+            )
+            work[2720 + k] = (
+                c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24 * (c1_m * T22 + v11 * T12)
+            )
+        for k in range(2176, 2464):
+            work[k] = _atan2(work[k], work[k + 288])
+        for k in range(0, 32):
+            w4_m = work[544 + k]
+            s6_p = work[800 + k]
+            w4_p = work[1088 + k]
+            w1 = work[1152 + k]
+            v20 = work[1408 + k]
+            v19 = work[1888 + k]
+            s6_m = work[1920 + k]
+            v30 = work[2016 + k] != 0.0
+            v31 = work[2048 + k] != 0.0
+            q3_ppp = work[2080 + k]
+            q3_pmp = work[2112 + k]
+            doubt = work[2144 + k] != 0.0
+            angle1 = work[2176 + k]
+            angle1_ = work[2208 + k]
+            angle1__ = work[2240 + k]
+            angle1___ = work[2272 + k]
+            angle1____ = work[2304 + k]
+            angle1_____ = work[2336 + k]
+            angle1______ = work[2368 + k]
+            angle1_______ = work[2400 + k]
+            angle1________ = work[2432 + k]
+            q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
+            q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v19)
+            q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v20)
+            q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
+            q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
+            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
+            q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
+            v28 = angle1 < low1 or high1 < angle1
+            v29 = angle1_ < low1 or high1 < angle1_
+            v32 = v30 or (v28 or (angle1__ < low2 or high2 < angle1__))
+            v33 = v31 or (v28 or (q2_pmp < low2 or high2 < q2_pmp))
+            v34 = v30 or (v29 or (-angle1__ < low2 or high2 < -angle1__))
+            v35 = v31 or (v29 or (-q2_pmp < low2 or high2 < -q2_pmp))
+            v36 = angle1_______ < low6 or high6 < angle1_______
+            outside_ppp = (
+                v36 or (angle1_____ < low5 or high5 < angle1_____ or (v32 or (angle1___ < low4 or
+                high4 < angle1___)))
+            )
+            v37 = q6_ppm < low6 or high6 < q6_ppm
+            outside_ppm = (
+                v37 or (-angle1_____ < low5 or high5 < -angle1_____ or (v32 or (q4_ppm < low4 or
+                high4 < q4_ppm)))
+            )
+            outside_pmp = (
+                v37 or (q5_pmp < low5 or high5 < q5_pmp or (v33 or (-angle1___ < low4 or high4 <
+                -angle1___)))
+            )
+            outside_pmm = (
+                v36 or (-q5_pmp < low5 or high5 < -q5_pmp or (v33 or (-q4_ppm < low4 or high4 <
+                -q4_ppm)))
+            )
+            v38 = angle1________ < low6 or high6 < angle1________
+            outside_mpp = (
+                v38 or (angle1______ < low5 or high5 < angle1______ or (v34 or (angle1____ < low4 or
+                high4 < angle1____)))
+            )
+            v39 = q6_mpm < low6 or high6 < q6_mpm
+            outside_mpm = (
+                v39 or (-angle1______ < low5 or high5 < -angle1______ or (v34 or (q4_mpm < low4 or
+                high4 < q4_mpm)))
+            )
+            outside_mmp = (
+                v39 or (q5_mmp < low5 or high5 < q5_mmp or (v35 or (-angle1____ < low4 or high4 <
+                -angle1____)))
+            )
+            outside_mmm = (
+                v38 or (-q5_mmp < low5 or high5 < -q5_mmp or (v35 or (-q4_mpm < low4 or high4 <
+                -q4_mpm)))
+            )
+            _3552 = angle1
+            work[3552 + k] = _3552
+            _3584 = angle1__
+            work[3584 + k] = _3584
+            _3616 = q3_ppp
+            work[3616 + k] = _3616
+            _3648 = angle1___
+            work[3648 + k] = _3648
+            _3680 = angle1_____
+            work[3680 + k] = _3680
+            _3712 = angle1_______
+            work[3712 + k] = _3712
+            _3744 = q4_ppm
+            work[3744 + k] = _3744
+            _3776 = -angle1_____
+            work[3776 + k] = _3776
+            _3808 = q6_ppm
+            work[3808 + k] = _3808
+            _3840 = q2_pmp
+            work[3840 + k] = _3840
+            _3872 = q3_pmp
+            work[3872 + k] = _3872
+            _3904 = -angle1___
+            work[3904 + k] = _3904
+            _3936 = q5_pmp
+            work[3936 + k] = _3936
+            _3968 = -q4_ppm
+            work[3968 + k] = _3968
+            _4000 = -q5_pmp
+            work[4000 + k] = _4000
+            _4032 = angle1_
+            work[4032 + k] = _4032
+            _4064 = -angle1__
+            work[4064 + k] = _4064
+            _4096 = angle1____
+            work[4096 + k] = _4096
+            _4128 = angle1______
+            work[4128 + k] = _4128
+            _4160 = angle1________
+            work[4160 + k] = _4160
+            _4192 = q4_mpm
+            work[4192 + k] = _4192
+            _4224 = -angle1______
+            work[4224 + k] = _4224
+            _4256 = q6_mpm
+            work[4256 + k] = _4256
+            _4288 = -q2_pmp
+            work[4288 + k] = _4288
+            _4320 = -angle1____
+            work[4320 + k] = _4320
+            _4352 = q5_mmp
+            work[4352 + k] = _4352
+            _4384 = -q4_mpm
+            work[4384 + k] = _4384
+            _4416 = -q5_mmp
+            work[4416 + k] = _4416
+            work[4448 + k] = (
+                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[4480 + k] = (
+                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[4512 + k] = (
+                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[4544 + k] = (
+                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[4576 + k] = (
+                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[4608 + k] = (
+                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[4640 + k] = (
+                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[4672 + k] = (
+                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -520,14 +1051,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

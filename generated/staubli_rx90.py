@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "staubli_rx90"
 METHOD = "closed form"
@@ -68,6 +69,11 @@ free_limit_squared2 = 8.1e-25  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.405  # 2 * d4 * a2 [m^2]
 k2 = 6.096631611034903  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 8.1e-25  # free_limit1^2 [m^2]
+m3 = 6.561e-49  # free_limit_squared2^2 [m^4]
+m4 = 1e-24  # free_limit^2
+h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -84,7 +90,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -170,6 +176,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -404,15 +413,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -426,6 +432,206 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 4]
+    v1 = T14 * T14 + T24 * T24
+    w1 = math.sqrt(v1)
+    factor1 = 1.0 / w1
+    v2 = T14 * factor1
+    v3 = T24 * factor1
+    angle1 = _atan2(-T24, -T14)
+
+    # theta3, type 8: U1[3, 4] and U1[1, 4]
+    N3 = v1 + T34 * T34
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v4 = w3 - w3
+    v5 = k1 * (N3 - k1)
+    v6 = k2 * v5
+    v7 = k1 * w3
+    c3 = k2 * v7
+    angle1_ = _atan2(-v5, v7)
+    q3_pmp = math.copysign(half_turn, -v5) * h1 - angle1_
+
+    # theta2, type 3: U1[3, 4] and U1[1, 4]
+    X1_2 = a2 + d4 * v6
+    Y1_2 = d4 * c3
+    v8 = T34 * X1_2
+    v9 = w1 * Y1_2
+    S2_pp = v8 + v9
+    S2_pm = v8 - v9
+    v10 = w1 * X1_2
+    v11 = T34 * Y1_2
+    C2_pp = v11 - v10
+    C2_mp = v10 + v11
+    v12 = S2_pp * S2_pp
+    v13 = v12 + C2_pp * C2_pp
+    v14 = S2_pm * S2_pm + C2_mp * C2_mp
+    v15 = v12 + -C2_pp * -C2_pp
+    factor2_pp = 1.0 / math.sqrt(v13)
+    factor2_pm = 1.0 / math.sqrt(v14)
+    factor2_mm = 1.0 / math.sqrt(v15)
+    c2_pp = C2_pp * factor2_pp
+    c2_mp = C2_mp * factor2_pm
+    c2_mm = -C2_pp * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mm = S2_pp * factor2_mm
+    angle1__ = _atan2(S2_pp, C2_pp)
+    angle1___ = _atan2(S2_pm, -C2_mp)
+    angle1____ = _atan2(S2_pm, C2_mp)
+    angle1_____ = _atan2(S2_pp, -C2_pp)
+
+    # theta4, type 2: U4[2, 3]
+    c23_pp = v6 * s2_pp + c3 * c2_pp
+    c23_pm = v6 * s2_pm + c3 * c2_mp
+    c23_mm = v6 * s2_mm - c3 * c2_mm
+    s23_pp = c3 * s2_pp - v6 * c2_pp
+    s23_pm = v6 * c2_mp - c3 * s2_pm
+    v16 = c3 * s2_mm + v6 * c2_mm
+    v17 = v2 * T13 + v3 * T23
+    X4_pp = s23_pp * T33 - c23_pp * v17
+    v18 = c23_pm * v17
+    X4_pm = s23_pm * T33 - v18
+    X4_mp = v18 + -s23_pm * T33
+    X4_mm = c23_mm * v17 - v16 * T33
+    Y4 = v2 * T23 - v3 * T13
+    v19 = Y4 * Y4
+    v20 = v19 + X4_pp * X4_pp
+    v21 = v19 + X4_pm * X4_pm
+    v22 = v19 + X4_mp * X4_mp
+    v23 = v19 + X4_mm * X4_mm
+    w4_pp = math.sqrt(v20)
+    w4_pm = math.sqrt(v21)
+    w4_mp = math.sqrt(v22)
+    w4_mm = math.sqrt(v23)
+    factor4_pp = 1.0 / w4_pp
+    factor4_pm = 1.0 / w4_pm
+    factor4_mp = 1.0 / w4_mp
+    factor4_mm = 1.0 / w4_mm
+    v24 = X4_pp * factor4_pp
+    v25 = X4_pm * factor4_pm
+    v26 = X4_mp * factor4_mp
+    v27 = X4_mm * factor4_mm
+    s4_pp = Y4 * factor4_pp
+    s4_pm = Y4 * factor4_pm
+    s4_mp = Y4 * factor4_mp
+    s4_mm = Y4 * factor4_mm
+    angle1______ = _atan2(Y4, -X4_pp)
+    angle1_______ = _atan2(Y4, -X4_pm)
+    angle1________ = _atan2(-Y4, -X4_mp)
+    angle1_________ = _atan2(-Y4, -X4_mm)
+    v28 = h1 * math.copysign(half_turn, Y4)
+    v29 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1______ - v28
+    q4_pmm = angle1_______ - v28
+    q4_mpm = angle1________ - v29
+    q4_mmm = angle1_________ - v29
+
+    # theta5, type 3: U4[3, 3] and U4[1, 3]
+    angle1__________ = _atan2(w4_pp, c23_pp * T33 + s23_pp * v17)
+    v30 = c23_pm * T33
+    angle1___________ = _atan2(w4_pm, v30 + s23_pm * v17)
+    angle1____________ = _atan2(w4_mp, v30 - -s23_pm * v17)
+    angle1_____________ = _atan2(w4_mm, c23_mm * T33 + v16 * v17)
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
+    v31 = v2 * T22 - v3 * T12
+    v32 = v2 * T12 + v3 * T22
+    v33 = v2 * T21 - v3 * T11
+    v34 = v2 * T11 + v3 * T21
+    v35 = v24 * v33 - s4_pp * (s23_pp * T31 - c23_pp * v34)
+    v36 = c23_pm * v34
+    v37 = v25 * v33 - s4_pm * (s23_pm * T31 - v36)
+    v38 = s4_mp * (v36 + -s23_pm * T31) - v26 * v33
+    v39 = s4_mm * (c23_mm * v34 - v16 * T31) - v27 * v33
+    angle1______________ = _atan2(v35, v24 * v31 - s4_pp * (s23_pp * T32 - c23_pp * v32))
+    v40 = c23_pm * v32
+    angle1_______________ = _atan2(v37, v25 * v31 - s4_pm * (s23_pm * T32 - v40))
+    angle1________________ = _atan2(v38, s4_mp * (v40 + -s23_pm * T32) - v26 * v31)
+    angle1_________________ = _atan2(v39, s4_mm * (c23_mm * v32 - v16 * T32) - v27 * v31)
+    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v35)
+    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v37)
+    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v38)
+    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v39)
+
+    # joint values
+    q1_ppp = angle1 + v4
+    q1_mpp = v4 + (angle1 - math.copysign(half_turn, -T24) * h1)
+    v41 = v14 <= m3
+    doubt = (
+        v15 <= m3 or v23 <= m4 or (v41 or v22 <= m4 or (v41 or v21 <= m4 or (v1 <= m1 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v13 <= m3 or v20 <= m4))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1__
+    q[0, 2] = angle1_
+    q[0, 3] = angle1______
+    q[0, 4] = angle1__________
+    q[0, 5] = angle1______________
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1__
+    q[1, 2] = angle1_
+    q[1, 3] = q4_ppm
+    q[1, 4] = -angle1__________
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = angle1___
+    q[2, 2] = q3_pmp
+    q[2, 3] = angle1_______
+    q[2, 4] = angle1___________
+    q[2, 5] = angle1_______________
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = angle1___
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = -angle1___________
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1____
+    q[4, 2] = angle1_
+    q[4, 3] = angle1________
+    q[4, 4] = angle1____________
+    q[4, 5] = angle1________________
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1____
+    q[5, 2] = angle1_
+    q[5, 3] = q4_mpm
+    q[5, 4] = -angle1____________
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = angle1_____
+    q[6, 2] = q3_pmp
+    q[6, 3] = angle1_________
+    q[6, 4] = angle1_____________
+    q[6, 5] = angle1_________________
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = angle1_____
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = -angle1_____________
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -449,13 +655,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -472,10 +688,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -535,10 +749,328 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [4736, 4768, 4800, 4832, 4864, 4896],
+    [4736, 4768, 4800, 4928, 4960, 4992],
+    [4736, 5024, 5056, 5088, 5120, 5152],
+    [4736, 5024, 5056, 5184, 5216, 5248],
+    [5280, 5312, 4800, 5344, 5376, 5408],
+    [5280, 5312, 4800, 5440, 5472, 5504],
+    [5280, 5536, 5056, 5568, 5600, 5632],
+    [5280, 5536, 5056, 5664, 5696, 5728],
+])
+_KINDS = np.array([5760, 5792, 5824, 5856, 5888, 5920, 5952, 5984])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(6016)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T14 * T14 + T24 * T24
+            w1 = math.sqrt(v1)
+            factor1 = 1.0 / w1
+            v2 = T14 * factor1
+            v3 = T24 * factor1
+            N3 = v1 + T34 * T34
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v4 = w3 - w3
+            v5 = k1 * (N3 - k1)
+            v6 = k2 * v5
+            v7 = k1 * w3
+            c3 = k2 * v7
+            X1_2 = a2 + d4 * v6
+            Y1_2 = d4 * c3
+            v8 = T34 * X1_2
+            v9 = w1 * Y1_2
+            S2_pp = v8 + v9
+            S2_pm = v8 - v9
+            v10 = w1 * X1_2
+            v11 = T34 * Y1_2
+            C2_pp = v11 - v10
+            C2_mp = v10 + v11
+            v12 = S2_pp * S2_pp
+            v13 = v12 + C2_pp * C2_pp
+            v14 = S2_pm * S2_pm + C2_mp * C2_mp
+            v15 = v12 + -C2_pp * -C2_pp
+            factor2_pp = 1.0 / math.sqrt(v13)
+            factor2_pm = 1.0 / math.sqrt(v14)
+            factor2_mm = 1.0 / math.sqrt(v15)
+            c2_pp = C2_pp * factor2_pp
+            c2_mp = C2_mp * factor2_pm
+            c2_mm = -C2_pp * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mm = S2_pp * factor2_mm
+            c23_pp = v6 * s2_pp + c3 * c2_pp
+            c23_pm = v6 * s2_pm + c3 * c2_mp
+            c23_mm = v6 * s2_mm - c3 * c2_mm
+            s23_pp = c3 * s2_pp - v6 * c2_pp
+            s23_pm = v6 * c2_mp - c3 * s2_pm
+            v16 = c3 * s2_mm + v6 * c2_mm
+            v17 = v2 * T13 + v3 * T23
+            X4_pp = s23_pp * T33 - c23_pp * v17
+            v18 = c23_pm * v17
+            X4_pm = s23_pm * T33 - v18
+            X4_mp = v18 + -s23_pm * T33
+            X4_mm = c23_mm * v17 - v16 * T33
+            Y4 = v2 * T23 - v3 * T13
+            v19 = Y4 * Y4
+            v20 = v19 + X4_pp * X4_pp
+            v21 = v19 + X4_pm * X4_pm
+            v22 = v19 + X4_mp * X4_mp
+            v23 = v19 + X4_mm * X4_mm
+            w4_pp = math.sqrt(v20)
+            w4_pm = math.sqrt(v21)
+            w4_mp = math.sqrt(v22)
+            w4_mm = math.sqrt(v23)
+            factor4_pp = 1.0 / w4_pp
+            factor4_pm = 1.0 / w4_pm
+            factor4_mp = 1.0 / w4_mp
+            factor4_mm = 1.0 / w4_mm
+            v24 = X4_pp * factor4_pp
+            v25 = X4_pm * factor4_pm
+            v26 = X4_mp * factor4_mp
+            v27 = X4_mm * factor4_mm
+            s4_pp = Y4 * factor4_pp
+            s4_pm = Y4 * factor4_pm
+            s4_mp = Y4 * factor4_mp
+            s4_mm = Y4 * factor4_mm
+            v28 = h1 * math.copysign(half_turn, Y4)
+            v29 = h1 * math.copysign(half_turn, -Y4)
+            v30 = c23_pm * T33
+            v31 = v2 * T22 - v3 * T12
+            v32 = v2 * T12 + v3 * T22
+            v33 = v2 * T21 - v3 * T11
+            v34 = v2 * T11 + v3 * T21
+            v35 = v24 * v33 - s4_pp * (s23_pp * T31 - c23_pp * v34)
+            v36 = c23_pm * v34
+            v37 = v25 * v33 - s4_pm * (s23_pm * T31 - v36)
+            v38 = s4_mp * (v36 + -s23_pm * T31) - v26 * v33
+            v39 = s4_mm * (c23_mm * v34 - v16 * T31) - v27 * v33
+            v40 = c23_pm * v32
+            v41 = v14 <= m3
+            doubt = (
+                v15 <= m3 or v23 <= m4 or (v41 or v22 <= m4 or (v41 or v21 <= m4 or (v1 <= m1 or
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v13 <= m3 or v20 <= m4))))
+            )
+            work[3104 + k] = v4
+            work[1344 + k] = v5
+            work[3136 + k] = v28
+            work[3168 + k] = v29
+            work[2944 + k] = v35
+            work[1952 + k] = v37
+            work[896 + k] = v38
+            work[1888 + k] = v39
+            work[3200 + k] = doubt
+            work[3232 + k] = -T24
+            work[3264 + k] = -v5
+            work[3296 + k] = S2_pp
+            work[3328 + k] = S2_pm
+            work[3360 + k] = S2_pm
+            work[3392 + k] = S2_pp
+            work[3424 + k] = Y4
+            work[3456 + k] = Y4
+            work[3488 + k] = -Y4
+            work[3520 + k] = -Y4
+            work[3552 + k] = w4_pp
+            work[3584 + k] = w4_pm
+            work[3616 + k] = w4_mp
+            work[3648 + k] = w4_mm
+            work[3680 + k] = v35
+            work[3712 + k] = v37
+            work[3744 + k] = v38
+            work[3776 + k] = v39
+            work[3808 + k] = -T14
+            work[3840 + k] = v7
+            work[3872 + k] = C2_pp
+            work[3904 + k] = -C2_mp
+            work[3936 + k] = C2_mp
+            work[3968 + k] = -C2_pp
+            work[4000 + k] = -X4_pp
+            work[4032 + k] = -X4_pm
+            work[4064 + k] = -X4_mp
+            work[4096 + k] = -X4_mm
+            work[4128 + k] = c23_pp * T33 + s23_pp * v17
+            work[4160 + k] = v30 + s23_pm * v17
+            work[4192 + k] = v30 - -s23_pm * v17
+            work[4224 + k] = c23_mm * T33 + v16 * v17
+            work[4256 + k] = v24 * v31 - s4_pp * (s23_pp * T32 - c23_pp * v32)
+            work[4288 + k] = v25 * v31 - s4_pm * (s23_pm * T32 - v40)
+            work[4320 + k] = s4_mp * (v40 + -s23_pm * T32) - v26 * v31
+            work[4352 + k] = s4_mm * (c23_mm * v32 - v16 * T32) - v27 * v31
+        for k in range(3232, 3808):
+            work[k] = _atan2(work[k], work[k + 576])
+        for k in range(0, 32):
+            T24 = work[224 + k]
+            v38 = work[896 + k]
+            v5 = work[1344 + k]
+            v39 = work[1888 + k]
+            v37 = work[1952 + k]
+            v35 = work[2944 + k]
+            v4 = work[3104 + k]
+            v28 = work[3136 + k]
+            v29 = work[3168 + k]
+            doubt = work[3200 + k] != 0.0
+            angle1 = work[3232 + k]
+            angle1_ = work[3264 + k]
+            angle1__ = work[3296 + k]
+            angle1___ = work[3328 + k]
+            angle1____ = work[3360 + k]
+            angle1_____ = work[3392 + k]
+            angle1______ = work[3424 + k]
+            angle1_______ = work[3456 + k]
+            angle1________ = work[3488 + k]
+            angle1_________ = work[3520 + k]
+            angle1__________ = work[3552 + k]
+            angle1___________ = work[3584 + k]
+            angle1____________ = work[3616 + k]
+            angle1_____________ = work[3648 + k]
+            angle1______________ = work[3680 + k]
+            angle1_______________ = work[3712 + k]
+            angle1________________ = work[3744 + k]
+            angle1_________________ = work[3776 + k]
+            q3_pmp = math.copysign(half_turn, -v5) * h1 - angle1_
+            q4_ppm = angle1______ - v28
+            q4_pmm = angle1_______ - v28
+            q4_mpm = angle1________ - v29
+            q4_mmm = angle1_________ - v29
+            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v35)
+            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v37)
+            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v38)
+            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v39)
+            q1_ppp = angle1 + v4
+            q1_mpp = v4 + (angle1 - math.copysign(half_turn, -T24) * h1)
+            _4736 = q1_ppp
+            work[4736 + k] = _4736
+            _4768 = angle1__
+            work[4768 + k] = _4768
+            _4800 = angle1_
+            work[4800 + k] = _4800
+            _4832 = angle1______
+            work[4832 + k] = _4832
+            _4864 = angle1__________
+            work[4864 + k] = _4864
+            _4896 = angle1______________
+            work[4896 + k] = _4896
+            _4928 = q4_ppm
+            work[4928 + k] = _4928
+            _4960 = -angle1__________
+            work[4960 + k] = _4960
+            _4992 = q6_ppm
+            work[4992 + k] = _4992
+            _5024 = angle1___
+            work[5024 + k] = _5024
+            _5056 = q3_pmp
+            work[5056 + k] = _5056
+            _5088 = angle1_______
+            work[5088 + k] = _5088
+            _5120 = angle1___________
+            work[5120 + k] = _5120
+            _5152 = angle1_______________
+            work[5152 + k] = _5152
+            _5184 = q4_pmm
+            work[5184 + k] = _5184
+            _5216 = -angle1___________
+            work[5216 + k] = _5216
+            _5248 = q6_pmm
+            work[5248 + k] = _5248
+            _5280 = q1_mpp
+            work[5280 + k] = _5280
+            _5312 = angle1____
+            work[5312 + k] = _5312
+            _5344 = angle1________
+            work[5344 + k] = _5344
+            _5376 = angle1____________
+            work[5376 + k] = _5376
+            _5408 = angle1________________
+            work[5408 + k] = _5408
+            _5440 = q4_mpm
+            work[5440 + k] = _5440
+            _5472 = -angle1____________
+            work[5472 + k] = _5472
+            _5504 = q6_mpm
+            work[5504 + k] = _5504
+            _5536 = angle1_____
+            work[5536 + k] = _5536
+            _5568 = angle1_________
+            work[5568 + k] = _5568
+            _5600 = angle1_____________
+            work[5600 + k] = _5600
+            _5632 = angle1_________________
+            work[5632 + k] = _5632
+            _5664 = q4_mmm
+            work[5664 + k] = _5664
+            _5696 = -angle1_____________
+            work[5696 + k] = _5696
+            _5728 = q6_mmm
+            work[5728 + k] = _5728
+            work[5760 + k] = UNREACHABLE if _4736 != _4736 else OK
+            work[5792 + k] = UNREACHABLE if _4736 != _4736 else OK
+            work[5824 + k] = UNREACHABLE if _4736 != _4736 else OK
+            work[5856 + k] = UNREACHABLE if _4736 != _4736 else OK
+            work[5888 + k] = UNREACHABLE if _5280 != _5280 else OK
+            work[5920 + k] = UNREACHABLE if _5280 != _5280 else OK
+            work[5952 + k] = UNREACHABLE if _5280 != _5280 else OK
+            work[5984 + k] = UNREACHABLE if _5280 != _5280 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -549,14 +1081,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

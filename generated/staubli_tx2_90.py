@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "staubli_tx2_90"
 METHOD = "closed form"
@@ -78,6 +79,17 @@ k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k5 = 7.662743501634321  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+low2 = -2.2689280285926285  # lowest value of joint 2
+high2 = 2.5743606476916363  # highest value of joint 2
+low3 = -2.530727416391778  # lowest value of joint 3
+high3 = 2.530727416391778  # highest value of joint 3
+low5 = -2.007128640793479  # lowest value of joint 5
+high5 = 2.4434609537920613  # highest value of joint 5
+m1 = 5.4512163266560035e-48  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -94,7 +106,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -124,7 +136,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -191,6 +203,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -481,15 +496,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -503,6 +515,303 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    t14 = T14 - d6 * T11
+    Y1 = d6 * T21 - T24
+    N1 = t14 * t14 + Y1 * Y1
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = d2 * t14
+    v2 = d2 * Y1
+    v3 = t14 * w1
+    v4 = v2 + v3
+    v5 = v2 - v3
+    v6 = inverse1 * v4
+    v7 = inverse1 * v5
+    v8 = Y1 * w1
+    v9 = v8 - v1
+    v10 = v1 + v8
+    s1_p = inverse1 * v9
+    v11 = inverse1 * v10
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    Z1_3 = T34 - d6 * T31 - d1
+    v12 = a1 + w1
+    v13 = a1 - w1
+    v14 = Z1_3 * Z1_3
+    N3_p = v14 + v12 * v12
+    N3_m = v14 + v13 * v13
+    w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+    w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+    v15 = k4 * (N3_p - k4)
+    v16 = k4 * (N3_m - k4)
+    s3_p = k5 * v15
+    s3_m = k5 * v16
+    v17 = k4 * w3_p
+    v18 = k4 * w3_m
+    v19 = k5 * v17
+    v20 = k5 * v18
+
+    # theta2, type 3: U1[1, 4] and U1[2, 4]
+    v21 = d4 * v19
+    v22 = d4 * v20
+    Y1_2_p = a2 + d4 * s3_p
+    Y1_2_m = a2 + d4 * s3_m
+    v23 = Z1_3 * Y1_2_p
+    v24 = Z1_3 * Y1_2_m
+    v25 = v12 * v21
+    v26 = v13 * v22
+    S2_pp = v25 - v23
+    v27 = v23 + v25
+    S2_mp = v26 - v24
+    v28 = v24 + v26
+    v29 = v12 * Y1_2_p
+    v30 = v13 * Y1_2_m
+    v31 = Z1_3 * v21
+    v32 = Z1_3 * v22
+    v33 = v29 + v31
+    v34 = v29 - v31
+    v35 = v30 + v32
+    v36 = v30 - v32
+    v37 = S2_pp * S2_pp + v33 * v33
+    v38 = v27 * v27 + v34 * v34
+    v39 = S2_mp * S2_mp + v35 * v35
+    v40 = v28 * v28 + v36 * v36
+    factor2_pp = 1.0 / math.sqrt(v37)
+    factor2_pm = 1.0 / math.sqrt(v38)
+    factor2_mp = 1.0 / math.sqrt(v39)
+    factor2_mm = 1.0 / math.sqrt(v40)
+    v41 = v33 * factor2_pp
+    v42 = v34 * factor2_pm
+    v43 = v35 * factor2_mp
+    v44 = v36 * factor2_mm
+    s2_pp = S2_pp * factor2_pp
+    v45 = v27 * factor2_pm
+    s2_mp = S2_mp * factor2_mp
+    v46 = v28 * factor2_mm
+
+    # theta4, type 2: U4[3, 3]
+    v47 = s3_p * s2_pp - v19 * v41
+    v48 = v19 * v42 - s3_p * v45
+    v49 = s3_m * s2_mp - v20 * v43
+    v50 = v20 * v44 - s3_m * v46
+    v51 = s3_p * v41 + v19 * s2_pp
+    v52 = s3_p * v42 + v19 * v45
+    v53 = s3_m * v43 + v20 * s2_mp
+    v54 = s3_m * v44 + v20 * v46
+    v55 = T21 * s1_p - T11 * v6
+    v56 = T21 * v11 + T11 * v7
+    X4_pp = v47 * v55 - T31 * v51
+    X4_pm = v48 * v55 - T31 * v52
+    v57 = v49 * v56 + T31 * v53
+    v58 = v50 * v56 + T31 * v54
+    v59 = T21 * v6 + T11 * s1_p
+    v60 = T21 * v7 - T11 * v11
+    v61 = v59 * v59
+    v62 = v60 * v60
+    v63 = v61 + X4_pp * X4_pp
+    v64 = v61 + X4_pm * X4_pm
+    v65 = v62 + v57 * v57
+    v66 = v62 + v58 * v58
+    w4_pp = math.sqrt(v63)
+    w4_pm = math.sqrt(v64)
+    w4_mp = math.sqrt(v65)
+    w4_mm = math.sqrt(v66)
+    factor4_pp = 1.0 / w4_pp
+    factor4_pm = 1.0 / w4_pm
+    factor4_mp = 1.0 / w4_mp
+    factor4_mm = 1.0 / w4_mm
+    v67 = X4_pp * factor4_pp
+    v68 = X4_pm * factor4_pm
+    v69 = v57 * factor4_mp
+    v70 = v58 * factor4_mm
+    v71 = v59 * factor4_pp
+    v72 = v59 * factor4_pm
+    v73 = v60 * factor4_mp
+    v74 = v60 * factor4_mm
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v75 = s1_p * T12 + v6 * T22
+    v76 = v7 * T22 - v11 * T12
+    v77 = s1_p * T22 - v6 * T12
+    v78 = v11 * T22 + v7 * T12
+    v79 = v6 * T23 + s1_p * T13
+    v80 = v7 * T23 - v11 * T13
+    v81 = s1_p * T23 - v6 * T13
+    v82 = v11 * T23 + v7 * T13
+    s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33)
+    s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33)
+    s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80
+    s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80
+    angle1 = _atan2(s6_pp, v71 * (v47 * v77 - v51 * T32) - v67 * v75)
+    angle1_ = _atan2(s6_pm, v72 * (v48 * v77 - v52 * T32) - v68 * v75)
+    angle1__ = _atan2(s6_mp, v69 * v76 - v73 * (v49 * v78 + v53 * T32))
+    angle1___ = _atan2(s6_mm, v70 * v76 - v74 * (v50 * v78 + v54 * T32))
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+
+    # joint values
+    angle1____ = _atan2(S2_pp, -v33)
+    v83 = angle1____ - offset2
+    angle1_____ = _atan2(-v27, -v34)
+    v84 = angle1_____ - offset2
+    angle1______ = _atan2(S2_mp, -v35)
+    v85 = angle1______ - offset2
+    angle1_______ = _atan2(-v28, -v36)
+    v86 = angle1_______ - offset2
+    q2_ppp = v83 - (m4 if half_turn < v83 else 0.0)
+    q2_pmp = v84 - (m4 if half_turn < v84 else 0.0)
+    q2_mpp = v85 - (m4 if half_turn < v85 else 0.0)
+    q2_mmp = v86 - (m4 if half_turn < v86 else 0.0)
+    angle1________ = _atan2(v15, -v17)
+    angle1_________ = _atan2(v16, -v18)
+    v87 = angle1________ - offset3
+    v88 = h1 * math.copysign(half_turn, v15) - angle1________ - offset3
+    v89 = angle1_________ - offset3
+    v90 = h1 * math.copysign(half_turn, v16) - angle1_________ - offset3
+    q3_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    q3_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
+    q3_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q3_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    angle1__________ = _atan2(-v59, -X4_pp)
+    angle1___________ = _atan2(-v59, -X4_pm)
+    angle1____________ = _atan2(-v60, v57)
+    angle1_____________ = _atan2(-v60, v58)
+    v91 = h1 * math.copysign(half_turn, -v59)
+    v92 = h1 * math.copysign(half_turn, -v60)
+    v93 = angle1__________ - offset4
+    v94 = angle1__________ - v91 - offset4
+    v95 = angle1___________ - offset4
+    v96 = angle1___________ - v91 - offset4
+    v97 = angle1____________ - offset4
+    v98 = angle1____________ - v92 - offset4
+    v99 = angle1_____________ - offset4
+    v100 = angle1_____________ - v92 - offset4
+    q4_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
+    q4_ppm = v94 + (m4 if v94 <= -half_turn else 0.0)
+    q4_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+    q4_pmm = v96 + (m4 if v96 <= -half_turn else 0.0)
+    q4_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
+    q4_mpm = v98 + (m4 if v98 <= -half_turn else 0.0)
+    q4_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
+    q4_mmm = v100 + (m4 if v100 <= -half_turn else 0.0)
+    angle1______________ = _atan2(w4_pp, T31 * v47 + v51 * v55)
+    angle1_______________ = _atan2(w4_pm, T31 * v48 + v52 * v55)
+    angle1________________ = _atan2(w4_mp, T31 * v49 - v53 * v56)
+    angle1_________________ = _atan2(w4_mm, T31 * v50 - v54 * v56)
+    v101 = angle1______________ - offset5
+    v102 = offset5 + angle1______________
+    v103 = angle1_______________ - offset5
+    v104 = offset5 + angle1_______________
+    v105 = angle1________________ - offset5
+    v106 = offset5 + angle1________________
+    v107 = angle1_________________ - offset5
+    v108 = offset5 + angle1_________________
+    q5_ppp = v101 + (m4 if v101 <= -half_turn else 0.0)
+    q5_ppm = (m4 if -v102 <= -half_turn else 0.0) - v102
+    q5_pmp = v103 + (m4 if v103 <= -half_turn else 0.0)
+    q5_pmm = (m4 if -v104 <= -half_turn else 0.0) - v104
+    q5_mpp = v105 + (m4 if v105 <= -half_turn else 0.0)
+    q5_mpm = (m4 if -v106 <= -half_turn else 0.0) - v106
+    q5_mmp = v107 + (m4 if v107 <= -half_turn else 0.0)
+    q5_mmm = (m4 if -v108 <= -half_turn else 0.0) - v108
+    angle1__________________ = _atan2(v9, -v4)
+    q1_ppp = angle1__________________ + (w3_p - w3_p)
+    angle1___________________ = _atan2(-v10, -v5)
+    q1_mpp = angle1___________________ + (w3_m - w3_m)
+    v109 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+    v110 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+    v111 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+    v112 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+    outside_ppp = v109 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v109 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v110 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v110 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v111 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v111 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v112 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v112 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt = (
+        v40 <= m1 or v66 <= m2 or (v39 <= m1 or v65 <= m2 or (v38 <= m1 or v64 <= m2 or (v37 <= m1
+        or v63 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
+        < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart) or (free1 or -k2 <= D1 and (free1 or
+        not (k3 < D1))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1_
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_mpp
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1__
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_mpp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1___
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -526,13 +835,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -549,10 +868,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -612,10 +929,454 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [7904, 7936, 7968, 8000, 8032, 8064],
+    [7904, 7936, 7968, 8096, 8128, 8160],
+    [7904, 8192, 8224, 8256, 8288, 8320],
+    [7904, 8192, 8224, 8352, 8384, 8416],
+    [8448, 8480, 8512, 8544, 8576, 8608],
+    [8448, 8480, 8512, 8640, 8672, 8704],
+    [8448, 8736, 8768, 8800, 8832, 8864],
+    [8448, 8736, 8768, 8896, 8928, 8960],
+])
+_KINDS = np.array([8992, 9024, 9056, 9088, 9120, 9152, 9184, 9216])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(9248)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            t14 = T14 - d6 * T11
+            Y1 = d6 * T21 - T24
+            N1 = t14 * t14 + Y1 * Y1
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = d2 * t14
+            v2 = d2 * Y1
+            v3 = t14 * w1
+            v4 = v2 + v3
+            v5 = v2 - v3
+            v6 = inverse1 * v4
+            v7 = inverse1 * v5
+            v8 = Y1 * w1
+            v9 = v8 - v1
+            v10 = v1 + v8
+            s1_p = inverse1 * v9
+            v11 = inverse1 * v10
+            Z1_3 = T34 - d6 * T31 - d1
+            v12 = a1 + w1
+            v13 = a1 - w1
+            v14 = Z1_3 * Z1_3
+            N3_p = v14 + v12 * v12
+            N3_m = v14 + v13 * v13
+            w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
+            w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
+            v15 = k4 * (N3_p - k4)
+            v16 = k4 * (N3_m - k4)
+            s3_p = k5 * v15
+            s3_m = k5 * v16
+            v17 = k4 * w3_p
+            v18 = k4 * w3_m
+            v19 = k5 * v17
+            v20 = k5 * v18
+            v21 = d4 * v19
+            v22 = d4 * v20
+            Y1_2_p = a2 + d4 * s3_p
+            Y1_2_m = a2 + d4 * s3_m
+            v23 = Z1_3 * Y1_2_p
+            v24 = Z1_3 * Y1_2_m
+            v25 = v12 * v21
+            v26 = v13 * v22
+            S2_pp = v25 - v23
+            v27 = v23 + v25
+            S2_mp = v26 - v24
+            v28 = v24 + v26
+            v29 = v12 * Y1_2_p
+            v30 = v13 * Y1_2_m
+            v31 = Z1_3 * v21
+            v32 = Z1_3 * v22
+            v33 = v29 + v31
+            v34 = v29 - v31
+            v35 = v30 + v32
+            v36 = v30 - v32
+            v37 = S2_pp * S2_pp + v33 * v33
+            v38 = v27 * v27 + v34 * v34
+            v39 = S2_mp * S2_mp + v35 * v35
+            v40 = v28 * v28 + v36 * v36
+            factor2_pp = 1.0 / math.sqrt(v37)
+            factor2_pm = 1.0 / math.sqrt(v38)
+            factor2_mp = 1.0 / math.sqrt(v39)
+            factor2_mm = 1.0 / math.sqrt(v40)
+            v41 = v33 * factor2_pp
+            v42 = v34 * factor2_pm
+            v43 = v35 * factor2_mp
+            v44 = v36 * factor2_mm
+            s2_pp = S2_pp * factor2_pp
+            v45 = v27 * factor2_pm
+            s2_mp = S2_mp * factor2_mp
+            v46 = v28 * factor2_mm
+            v47 = s3_p * s2_pp - v19 * v41
+            v48 = v19 * v42 - s3_p * v45
+            v49 = s3_m * s2_mp - v20 * v43
+            v50 = v20 * v44 - s3_m * v46
+            v51 = s3_p * v41 + v19 * s2_pp
+            v52 = s3_p * v42 + v19 * v45
+            v53 = s3_m * v43 + v20 * s2_mp
+            v54 = s3_m * v44 + v20 * v46
+            v55 = T21 * s1_p - T11 * v6
+            v56 = T21 * v11 + T11 * v7
+            X4_pp = v47 * v55 - T31 * v51
+            X4_pm = v48 * v55 - T31 * v52
+            v57 = v49 * v56 + T31 * v53
+            v58 = v50 * v56 + T31 * v54
+            v59 = T21 * v6 + T11 * s1_p
+            v60 = T21 * v7 - T11 * v11
+            v61 = v59 * v59
+            v62 = v60 * v60
+            v63 = v61 + X4_pp * X4_pp
+            v64 = v61 + X4_pm * X4_pm
+            v65 = v62 + v57 * v57
+            v66 = v62 + v58 * v58
+            w4_pp = math.sqrt(v63)
+            w4_pm = math.sqrt(v64)
+            w4_mp = math.sqrt(v65)
+            w4_mm = math.sqrt(v66)
+            factor4_pp = 1.0 / w4_pp
+            factor4_pm = 1.0 / w4_pm
+            factor4_mp = 1.0 / w4_mp
+            factor4_mm = 1.0 / w4_mm
+            v67 = X4_pp * factor4_pp
+            v68 = X4_pm * factor4_pm
+            v69 = v57 * factor4_mp
+            v70 = v58 * factor4_mm
+            v71 = v59 * factor4_pp
+            v72 = v59 * factor4_pm
+            v73 = v60 * factor4_mp
+            v74 = v60 * factor4_mm
+            v75 = s1_p * T12 + v6 * T22
+            v76 = v7 * T22 - v11 * T12
+            v77 = s1_p * T22 - v6 * T12
+            v78 = v11 * T22 + v7 * T12
+            v79 = v6 * T23 + s1_p * T13
+            v80 = v7 * T23 - v11 * T13
+            v81 = s1_p * T23 - v6 * T13
+            v82 = v11 * T23 + v7 * T13
+            s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33)
+            s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33)
+            s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80
+            s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80
+            v91 = h1 * math.copysign(half_turn, -v59)
+            v92 = h1 * math.copysign(half_turn, -v60)
+            doubt = (
+                v40 <= m1 or v66 <= m2 or (v39 <= m1 or v65 <= m2 or (v38 <= m1 or v64 <= m2 or (v37
+                <= m1 or v63 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and
+                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
+                (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
+            )
+            work[1504 + k] = w3_p
+            work[3584 + k] = w3_m
+            work[2208 + k] = v15
+            work[832 + k] = v16
+            work[736 + k] = s6_pp
+            work[1536 + k] = s6_pm
+            work[1248 + k] = s6_mp
+            work[1760 + k] = s6_mm
+            work[4416 + k] = v91
+            work[4448 + k] = v92
+            work[4480 + k] = doubt
+            work[4512 + k] = s6_pp
+            work[4544 + k] = s6_pm
+            work[4576 + k] = s6_mp
+            work[4608 + k] = s6_mm
+            work[4640 + k] = S2_pp
+            work[4672 + k] = -v27
+            work[4704 + k] = S2_mp
+            work[4736 + k] = -v28
+            work[4768 + k] = v15
+            work[4800 + k] = v16
+            work[4832 + k] = -v59
+            work[4864 + k] = -v59
+            work[4896 + k] = -v60
+            work[4928 + k] = -v60
+            work[4960 + k] = w4_pp
+            work[4992 + k] = w4_pm
+            work[5024 + k] = w4_mp
+            work[5056 + k] = w4_mm
+            work[5088 + k] = v9
+            work[5120 + k] = -v10
+            work[5152 + k] = v71 * (v47 * v77 - v51 * T32) - v67 * v75
+            work[5184 + k] = v72 * (v48 * v77 - v52 * T32) - v68 * v75
+            work[5216 + k] = v69 * v76 - v73 * (v49 * v78 + v53 * T32)
+            work[5248 + k] = v70 * v76 - v74 * (v50 * v78 + v54 * T32)
+            work[5280 + k] = -v33
+            work[5312 + k] = -v34
+            work[5344 + k] = -v35
+            work[5376 + k] = -v36
+            work[5408 + k] = -v17
+            work[5440 + k] = -v18
+            work[5472 + k] = -X4_pp
+            work[5504 + k] = -X4_pm
+            work[5536 + k] = v57
+            work[5568 + k] = v58
+            work[5600 + k] = T31 * v47 + v51 * v55
+            work[5632 + k] = T31 * v48 + v52 * v55
+            work[5664 + k] = T31 * v49 - v53 * v56
+            work[5696 + k] = T31 * v50 - v54 * v56
+            work[5728 + k] = -v4
+            work[5760 + k] = -v5
+        for k in range(4512, 5152):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            s6_pp = work[736 + k]
+            v16 = work[832 + k]
+            s6_mp = work[1248 + k]
+            w3_p = work[1504 + k]
+            s6_pm = work[1536 + k]
+            s6_mm = work[1760 + k]
+            v15 = work[2208 + k]
+            w3_m = work[3584 + k]
+            v91 = work[4416 + k]
+            v92 = work[4448 + k]
+            doubt = work[4480 + k] != 0.0
+            angle1 = work[4512 + k]
+            angle1_ = work[4544 + k]
+            angle1__ = work[4576 + k]
+            angle1___ = work[4608 + k]
+            angle1____ = work[4640 + k]
+            angle1_____ = work[4672 + k]
+            angle1______ = work[4704 + k]
+            angle1_______ = work[4736 + k]
+            angle1________ = work[4768 + k]
+            angle1_________ = work[4800 + k]
+            angle1__________ = work[4832 + k]
+            angle1___________ = work[4864 + k]
+            angle1____________ = work[4896 + k]
+            angle1_____________ = work[4928 + k]
+            angle1______________ = work[4960 + k]
+            angle1_______________ = work[4992 + k]
+            angle1________________ = work[5024 + k]
+            angle1_________________ = work[5056 + k]
+            angle1__________________ = work[5088 + k]
+            angle1___________________ = work[5120 + k]
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+            v83 = angle1____ - offset2
+            v84 = angle1_____ - offset2
+            v85 = angle1______ - offset2
+            v86 = angle1_______ - offset2
+            q2_ppp = v83 - (m4 if half_turn < v83 else 0.0)
+            q2_pmp = v84 - (m4 if half_turn < v84 else 0.0)
+            q2_mpp = v85 - (m4 if half_turn < v85 else 0.0)
+            q2_mmp = v86 - (m4 if half_turn < v86 else 0.0)
+            v87 = angle1________ - offset3
+            v88 = h1 * math.copysign(half_turn, v15) - angle1________ - offset3
+            v89 = angle1_________ - offset3
+            v90 = h1 * math.copysign(half_turn, v16) - angle1_________ - offset3
+            q3_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            q3_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
+            q3_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q3_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            v93 = angle1__________ - offset4
+            v94 = angle1__________ - v91 - offset4
+            v95 = angle1___________ - offset4
+            v96 = angle1___________ - v91 - offset4
+            v97 = angle1____________ - offset4
+            v98 = angle1____________ - v92 - offset4
+            v99 = angle1_____________ - offset4
+            v100 = angle1_____________ - v92 - offset4
+            q4_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
+            q4_ppm = v94 + (m4 if v94 <= -half_turn else 0.0)
+            q4_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+            q4_pmm = v96 + (m4 if v96 <= -half_turn else 0.0)
+            q4_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
+            q4_mpm = v98 + (m4 if v98 <= -half_turn else 0.0)
+            q4_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
+            q4_mmm = v100 + (m4 if v100 <= -half_turn else 0.0)
+            v101 = angle1______________ - offset5
+            v102 = offset5 + angle1______________
+            v103 = angle1_______________ - offset5
+            v104 = offset5 + angle1_______________
+            v105 = angle1________________ - offset5
+            v106 = offset5 + angle1________________
+            v107 = angle1_________________ - offset5
+            v108 = offset5 + angle1_________________
+            q5_ppp = v101 + (m4 if v101 <= -half_turn else 0.0)
+            q5_ppm = (m4 if -v102 <= -half_turn else 0.0) - v102
+            q5_pmp = v103 + (m4 if v103 <= -half_turn else 0.0)
+            q5_pmm = (m4 if -v104 <= -half_turn else 0.0) - v104
+            q5_mpp = v105 + (m4 if v105 <= -half_turn else 0.0)
+            q5_mpm = (m4 if -v106 <= -half_turn else 0.0) - v106
+            q5_mmp = v107 + (m4 if v107 <= -half_turn else 0.0)
+            q5_mmm = (m4 if -v108 <= -half_turn else 0.0) - v108
+            q1_ppp = angle1__________________ + (w3_p - w3_p)
+            q1_mpp = angle1___________________ + (w3_m - w3_m)
+            v109 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+            v110 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+            v111 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+            v112 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+            outside_ppp = v109 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v109 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v110 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v110 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v111 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v111 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v112 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v112 or (q5_mmm < low5 or high5 < q5_mmm)
+            _7904 = q1_ppp
+            work[7904 + k] = _7904
+            _7936 = q2_ppp
+            work[7936 + k] = _7936
+            _7968 = q3_ppp
+            work[7968 + k] = _7968
+            _8000 = q4_ppp
+            work[8000 + k] = _8000
+            _8032 = q5_ppp
+            work[8032 + k] = _8032
+            _8064 = angle1
+            work[8064 + k] = _8064
+            _8096 = q4_ppm
+            work[8096 + k] = _8096
+            _8128 = q5_ppm
+            work[8128 + k] = _8128
+            _8160 = q6_ppm
+            work[8160 + k] = _8160
+            _8192 = q2_pmp
+            work[8192 + k] = _8192
+            _8224 = q3_pmp
+            work[8224 + k] = _8224
+            _8256 = q4_pmp
+            work[8256 + k] = _8256
+            _8288 = q5_pmp
+            work[8288 + k] = _8288
+            _8320 = angle1_
+            work[8320 + k] = _8320
+            _8352 = q4_pmm
+            work[8352 + k] = _8352
+            _8384 = q5_pmm
+            work[8384 + k] = _8384
+            _8416 = q6_pmm
+            work[8416 + k] = _8416
+            _8448 = q1_mpp
+            work[8448 + k] = _8448
+            _8480 = q2_mpp
+            work[8480 + k] = _8480
+            _8512 = q3_mpp
+            work[8512 + k] = _8512
+            _8544 = q4_mpp
+            work[8544 + k] = _8544
+            _8576 = q5_mpp
+            work[8576 + k] = _8576
+            _8608 = angle1__
+            work[8608 + k] = _8608
+            _8640 = q4_mpm
+            work[8640 + k] = _8640
+            _8672 = q5_mpm
+            work[8672 + k] = _8672
+            _8704 = q6_mpm
+            work[8704 + k] = _8704
+            _8736 = q2_mmp
+            work[8736 + k] = _8736
+            _8768 = q3_mmp
+            work[8768 + k] = _8768
+            _8800 = q4_mmp
+            work[8800 + k] = _8800
+            _8832 = q5_mmp
+            work[8832 + k] = _8832
+            _8864 = angle1___
+            work[8864 + k] = _8864
+            _8896 = q4_mmm
+            work[8896 + k] = _8896
+            _8928 = q5_mmm
+            work[8928 + k] = _8928
+            _8960 = q6_mmm
+            work[8960 + k] = _8960
+            work[8992 + k] = (
+                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[9024 + k] = (
+                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[9056 + k] = (
+                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[9088 + k] = (
+                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[9120 + k] = (
+                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[9152 + k] = (
+                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[9184 + k] = (
+                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[9216 + k] = (
+                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -626,14 +1387,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

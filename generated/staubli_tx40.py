@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "staubli_tx40"
 METHOD = "closed form"
@@ -78,6 +79,11 @@ k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / ((2 * d4 * a2)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 5.7289761000000026e-49  # free_limit_squared2^2 [m^4]
+m2 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -94,7 +100,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -124,7 +130,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -195,6 +201,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -485,15 +494,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -507,6 +513,250 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = T24 - d6 * T23
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    v1 = w1 - w1
+    inverse1 = 1.0 / N1
+    v2 = d3 * X1
+    v3 = d3 * wy
+    v4 = X1 * w1
+    v5 = v3 + v4
+    v6 = v3 - v4
+    v7 = inverse1 * v5
+    v8 = inverse1 * v6
+    v9 = wy * w1
+    v10 = v9 - v2
+    v11 = v2 + v9
+    s1_p = inverse1 * v10
+    v12 = inverse1 * v11
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    Z1_3 = T34 - d6 * T33 - d1
+    N3 = D1 + Z1_3 * Z1_3
+    w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+    v13 = w3 - w3
+    v14 = k4 * (N3 - k4)
+    s3 = k5 * v14
+    v15 = k4 * w3
+    v16 = k5 * v15
+
+    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    X1_2 = a2 + d4 * s3
+    Y1_2 = d4 * v16
+    v17 = Z1_3 * X1_2
+    v18 = w1 * Y1_2
+    S2_pp = v17 - v18
+    S2_pm = v17 + v18
+    v19 = w1 * X1_2
+    v20 = Z1_3 * Y1_2
+    C2_pp = v19 + v20
+    C2_pm = v19 - v20
+    v21 = S2_pp * S2_pp + C2_pp * C2_pp
+    v22 = S2_pm * S2_pm
+    v23 = v22 + C2_pm * C2_pm
+    v24 = v22 + -C2_pm * -C2_pm
+    factor2_pp = 1.0 / math.sqrt(v21)
+    factor2_pm = 1.0 / math.sqrt(v23)
+    factor2_mp = 1.0 / math.sqrt(v24)
+    c2_pp = C2_pp * factor2_pp
+    c2_pm = C2_pm * factor2_pm
+    c2_mp = -C2_pm * factor2_mp
+    s2_pp = S2_pp * factor2_pp
+    s2_pm = S2_pm * factor2_pm
+    s2_mp = S2_pm * factor2_mp
+
+    # theta4, type 2: U4[3, 3]
+    v25 = s3 * s2_pp + v16 * c2_pp
+    v26 = s3 * s2_pm - v16 * c2_pm
+    v27 = s3 * s2_mp + v16 * c2_mp
+    s23_pp = s3 * c2_pp - v16 * s2_pp
+    s23_pm = s3 * c2_pm + v16 * s2_pm
+    s23_mp = s3 * c2_mp - v16 * s2_mp
+    v28 = T23 * s1_p - T13 * v7
+    v29 = T23 * v12 + T13 * v8
+    X4_pp = v25 * v28 - T33 * s23_pp
+    X4_pm = v26 * v28 - T33 * s23_pm
+    v30 = v27 * v29 + T33 * s23_mp
+    v31 = v25 * v29 + T33 * -s23_pp
+    Y4_p = T13 * s1_p + T23 * v7
+    Y4_m = T23 * v8 - T13 * v12
+    v32 = Y4_p * Y4_p
+    v33 = Y4_m * Y4_m
+    v34 = v32 + X4_pp * X4_pp
+    v35 = v32 + X4_pm * X4_pm
+    v36 = v33 + v30 * v30
+    v37 = v33 + v31 * v31
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v38 = v7 * T22 + s1_p * T12
+    v39 = v8 * T22 - v12 * T12
+    v40 = s1_p * T22 - v7 * T12
+    v41 = v12 * T22 + v8 * T12
+    v42 = v7 * T21 + s1_p * T11
+    v43 = v8 * T21 - v12 * T11
+    v44 = s1_p * T21 - v7 * T11
+    v45 = v12 * T21 + v8 * T11
+    s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
+    s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
+    s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
+    s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
+    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp)
+    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm)
+    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39)
+    angle1___ = _atan2(s6_mm, Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39)
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+
+    # joint values
+    angle1____ = _atan2(v10, -v5)
+    v46 = angle1____ - offset1
+    angle1_____ = _atan2(-v11, -v6)
+    v47 = angle1_____ - offset1
+    angle1______ = _atan2(S2_pp, C2_pp)
+    v48 = angle1______ - offset2
+    angle1_______ = _atan2(S2_pm, C2_pm)
+    v49 = angle1_______ - offset2
+    angle1________ = _atan2(S2_pm, -C2_pm)
+    v50 = angle1________ - offset2
+    angle1_________ = _atan2(S2_pp, -C2_pp)
+    v51 = angle1_________ - offset2
+    q2_ppp = v48 + (m4 if v48 <= -half_turn else 0.0)
+    q2_pmp = v49 + (m4 if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (m4 if v50 <= -half_turn else 0.0)
+    q2_mmp = v51 + (m4 if v51 <= -half_turn else 0.0)
+    angle1__________ = _atan2(v14, -v15)
+    v52 = angle1__________ - offset3
+    v53 = h1 * math.copysign(half_turn, v14) - angle1__________ - offset3
+    angle1___________ = _atan2(Y4_p, -X4_pp)
+    angle1____________ = _atan2(Y4_p, -X4_pm)
+    angle1_____________ = _atan2(Y4_m, v30)
+    angle1______________ = _atan2(Y4_m, v31)
+    v54 = h1 * math.copysign(half_turn, Y4_p)
+    v55 = h1 * math.copysign(half_turn, Y4_m)
+    v56 = angle1___________ - offset4
+    v57 = angle1___________ - v54 - offset4
+    v58 = angle1____________ - offset4
+    v59 = angle1____________ - v54 - offset4
+    v60 = angle1_____________ - offset4
+    v61 = angle1_____________ - v55 - offset4
+    v62 = angle1______________ - offset4
+    v63 = angle1______________ - v55 - offset4
+    q4_ppp = v56 + (m4 if v56 <= -half_turn else 0.0)
+    q4_ppm = v57 + (m4 if v57 <= -half_turn else 0.0)
+    q4_pmp = v58 + (m4 if v58 <= -half_turn else 0.0)
+    q4_pmm = v59 + (m4 if v59 <= -half_turn else 0.0)
+    q4_mpp = v60 + (m4 if v60 <= -half_turn else 0.0)
+    q4_mpm = v61 + (m4 if v61 <= -half_turn else 0.0)
+    q4_mmp = v62 + (m4 if v62 <= -half_turn else 0.0)
+    q4_mmm = v63 + (m4 if v63 <= -half_turn else 0.0)
+    v64 = T33 * v25
+    angle1_______________ = _atan2(math.sqrt(v34), -(v64 + s23_pp * v28))
+    angle1________________ = _atan2(math.sqrt(v35), -(T33 * v26 + s23_pm * v28))
+    angle1_________________ = _atan2(math.sqrt(v36), s23_mp * v29 - T33 * v27)
+    angle1__________________ = _atan2(math.sqrt(v37), -s23_pp * v29 - v64)
+    v65 = angle1_______________ - offset5
+    v66 = offset5 + angle1_______________
+    v67 = angle1________________ - offset5
+    v68 = offset5 + angle1________________
+    v69 = angle1_________________ - offset5
+    v70 = offset5 + angle1_________________
+    v71 = angle1__________________ - offset5
+    v72 = offset5 + angle1__________________
+    q5_ppp = v65 + (m4 if v65 <= -half_turn else 0.0)
+    q5_ppm = (m4 if -v66 <= -half_turn else 0.0) - v66
+    q5_pmp = v67 + (m4 if v67 <= -half_turn else 0.0)
+    q5_pmm = (m4 if -v68 <= -half_turn else 0.0) - v68
+    q5_mpp = v69 + (m4 if v69 <= -half_turn else 0.0)
+    q5_mpm = (m4 if -v70 <= -half_turn else 0.0) - v70
+    q5_mmp = v71 + (m4 if v71 <= -half_turn else 0.0)
+    q5_mmm = (m4 if -v72 <= -half_turn else 0.0) - v72
+    q1_ppp = v13 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+    q1_mpp = v13 + (v47 + (m4 if v47 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v52 + (m4 if v52 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v53 + (m4 if v53 <= -half_turn else 0.0))
+    v73 = v21 <= m1
+    doubt = (
+        v73 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or (shortest3_reach
+        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or
+        (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v73 or v34 <= m2))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = q3_ppp
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = angle1
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = q3_ppp
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_ppp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = angle1_
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_ppp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmm
+    q[3, 5] = q6_pmm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = q3_ppp
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = angle1__
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = q3_ppp
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mpp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_pmp
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = angle1___
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mpp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_pmp
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmm
+    q[7, 5] = q6_mmm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -530,13 +780,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -553,10 +813,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -616,10 +874,378 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6240, 6272, 6304, 6336, 6368, 6400],
+    [6240, 6272, 6304, 6432, 6464, 6496],
+    [6240, 6528, 6560, 6592, 6624, 6656],
+    [6240, 6528, 6560, 6688, 6720, 6752],
+    [6784, 6816, 6304, 6848, 6880, 6912],
+    [6784, 6816, 6304, 6944, 6976, 7008],
+    [6784, 7040, 6560, 7072, 7104, 7136],
+    [6784, 7040, 6560, 7168, 7200, 7232],
+])
+_KINDS = np.array([7264, 7296, 7328, 7360, 7392, 7424, 7456, 7488])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7520)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = T24 - d6 * T23
+            N1 = X1 * X1 + wy * wy
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            v1 = w1 - w1
+            inverse1 = 1.0 / N1
+            v2 = d3 * X1
+            v3 = d3 * wy
+            v4 = X1 * w1
+            v5 = v3 + v4
+            v6 = v3 - v4
+            v7 = inverse1 * v5
+            v8 = inverse1 * v6
+            v9 = wy * w1
+            v10 = v9 - v2
+            v11 = v2 + v9
+            s1_p = inverse1 * v10
+            v12 = inverse1 * v11
+            Z1_3 = T34 - d6 * T33 - d1
+            N3 = D1 + Z1_3 * Z1_3
+            w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
+            v13 = w3 - w3
+            v14 = k4 * (N3 - k4)
+            s3 = k5 * v14
+            v15 = k4 * w3
+            v16 = k5 * v15
+            X1_2 = a2 + d4 * s3
+            Y1_2 = d4 * v16
+            v17 = Z1_3 * X1_2
+            v18 = w1 * Y1_2
+            S2_pp = v17 - v18
+            S2_pm = v17 + v18
+            v19 = w1 * X1_2
+            v20 = Z1_3 * Y1_2
+            C2_pp = v19 + v20
+            C2_pm = v19 - v20
+            v21 = S2_pp * S2_pp + C2_pp * C2_pp
+            v22 = S2_pm * S2_pm
+            v23 = v22 + C2_pm * C2_pm
+            v24 = v22 + -C2_pm * -C2_pm
+            factor2_pp = 1.0 / math.sqrt(v21)
+            factor2_pm = 1.0 / math.sqrt(v23)
+            factor2_mp = 1.0 / math.sqrt(v24)
+            c2_pp = C2_pp * factor2_pp
+            c2_pm = C2_pm * factor2_pm
+            c2_mp = -C2_pm * factor2_mp
+            s2_pp = S2_pp * factor2_pp
+            s2_pm = S2_pm * factor2_pm
+            s2_mp = S2_pm * factor2_mp
+            v25 = s3 * s2_pp + v16 * c2_pp
+            v26 = s3 * s2_pm - v16 * c2_pm
+            v27 = s3 * s2_mp + v16 * c2_mp
+            s23_pp = s3 * c2_pp - v16 * s2_pp
+            s23_pm = s3 * c2_pm + v16 * s2_pm
+            s23_mp = s3 * c2_mp - v16 * s2_mp
+            v28 = T23 * s1_p - T13 * v7
+            v29 = T23 * v12 + T13 * v8
+            X4_pp = v25 * v28 - T33 * s23_pp
+            X4_pm = v26 * v28 - T33 * s23_pm
+            v30 = v27 * v29 + T33 * s23_mp
+            v31 = v25 * v29 + T33 * -s23_pp
+            Y4_p = T13 * s1_p + T23 * v7
+            Y4_m = T23 * v8 - T13 * v12
+            v32 = Y4_p * Y4_p
+            v33 = Y4_m * Y4_m
+            v34 = v32 + X4_pp * X4_pp
+            v35 = v32 + X4_pm * X4_pm
+            v36 = v33 + v30 * v30
+            v37 = v33 + v31 * v31
+            v38 = v7 * T22 + s1_p * T12
+            v39 = v8 * T22 - v12 * T12
+            v40 = s1_p * T22 - v7 * T12
+            v41 = v12 * T22 + v8 * T12
+            v42 = v7 * T21 + s1_p * T11
+            v43 = v8 * T21 - v12 * T11
+            v44 = s1_p * T21 - v7 * T11
+            v45 = v12 * T21 + v8 * T11
+            s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
+            s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
+            s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
+            s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
+            v54 = h1 * math.copysign(half_turn, Y4_p)
+            v55 = h1 * math.copysign(half_turn, Y4_m)
+            v64 = T33 * v25
+            v73 = v21 <= m1
+            doubt = (
+                v73 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or
+                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v73 or
+                v34 <= m2))))
+            )
+            work[3200 + k] = v1
+            work[3232 + k] = v13
+            work[2784 + k] = v14
+            work[640 + k] = s6_pp
+            work[1024 + k] = s6_pm
+            work[832 + k] = s6_mp
+            work[1280 + k] = s6_mm
+            work[3264 + k] = v54
+            work[3296 + k] = v55
+            work[3328 + k] = doubt
+            work[3360 + k] = s6_pp
+            work[3392 + k] = s6_pm
+            work[3424 + k] = s6_mp
+            work[3456 + k] = s6_mm
+            work[3488 + k] = v10
+            work[3520 + k] = -v11
+            work[3552 + k] = S2_pp
+            work[3584 + k] = S2_pm
+            work[3616 + k] = S2_pm
+            work[3648 + k] = S2_pp
+            work[3680 + k] = v14
+            work[3712 + k] = Y4_p
+            work[3744 + k] = Y4_p
+            work[3776 + k] = Y4_m
+            work[3808 + k] = Y4_m
+            work[3840 + k] = math.sqrt(v34)
+            work[3872 + k] = math.sqrt(v35)
+            work[3904 + k] = math.sqrt(v36)
+            work[3936 + k] = math.sqrt(v37)
+            work[3968 + k] = Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp
+            work[4000 + k] = Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm
+            work[4032 + k] = Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39
+            work[4064 + k] = Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39
+            work[4096 + k] = -v5
+            work[4128 + k] = -v6
+            work[4160 + k] = C2_pp
+            work[4192 + k] = C2_pm
+            work[4224 + k] = -C2_pm
+            work[4256 + k] = -C2_pp
+            work[4288 + k] = -v15
+            work[4320 + k] = -X4_pp
+            work[4352 + k] = -X4_pm
+            work[4384 + k] = v30
+            work[4416 + k] = v31
+            work[4448 + k] = -(v64 + s23_pp * v28)
+            work[4480 + k] = -(T33 * v26 + s23_pm * v28)
+            work[4512 + k] = s23_mp * v29 - T33 * v27
+            work[4544 + k] = -s23_pp * v29 - v64
+        for k in range(3360, 3968):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            s6_pp = work[640 + k]
+            s6_mp = work[832 + k]
+            s6_pm = work[1024 + k]
+            s6_mm = work[1280 + k]
+            v14 = work[2784 + k]
+            v1 = work[3200 + k]
+            v13 = work[3232 + k]
+            v54 = work[3264 + k]
+            v55 = work[3296 + k]
+            doubt = work[3328 + k] != 0.0
+            angle1 = work[3360 + k]
+            angle1_ = work[3392 + k]
+            angle1__ = work[3424 + k]
+            angle1___ = work[3456 + k]
+            angle1____ = work[3488 + k]
+            angle1_____ = work[3520 + k]
+            angle1______ = work[3552 + k]
+            angle1_______ = work[3584 + k]
+            angle1________ = work[3616 + k]
+            angle1_________ = work[3648 + k]
+            angle1__________ = work[3680 + k]
+            angle1___________ = work[3712 + k]
+            angle1____________ = work[3744 + k]
+            angle1_____________ = work[3776 + k]
+            angle1______________ = work[3808 + k]
+            angle1_______________ = work[3840 + k]
+            angle1________________ = work[3872 + k]
+            angle1_________________ = work[3904 + k]
+            angle1__________________ = work[3936 + k]
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+            v46 = angle1____ - offset1
+            v47 = angle1_____ - offset1
+            v48 = angle1______ - offset2
+            v49 = angle1_______ - offset2
+            v50 = angle1________ - offset2
+            v51 = angle1_________ - offset2
+            q2_ppp = v48 + (m4 if v48 <= -half_turn else 0.0)
+            q2_pmp = v49 + (m4 if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (m4 if v50 <= -half_turn else 0.0)
+            q2_mmp = v51 + (m4 if v51 <= -half_turn else 0.0)
+            v52 = angle1__________ - offset3
+            v53 = h1 * math.copysign(half_turn, v14) - angle1__________ - offset3
+            v56 = angle1___________ - offset4
+            v57 = angle1___________ - v54 - offset4
+            v58 = angle1____________ - offset4
+            v59 = angle1____________ - v54 - offset4
+            v60 = angle1_____________ - offset4
+            v61 = angle1_____________ - v55 - offset4
+            v62 = angle1______________ - offset4
+            v63 = angle1______________ - v55 - offset4
+            q4_ppp = v56 + (m4 if v56 <= -half_turn else 0.0)
+            q4_ppm = v57 + (m4 if v57 <= -half_turn else 0.0)
+            q4_pmp = v58 + (m4 if v58 <= -half_turn else 0.0)
+            q4_pmm = v59 + (m4 if v59 <= -half_turn else 0.0)
+            q4_mpp = v60 + (m4 if v60 <= -half_turn else 0.0)
+            q4_mpm = v61 + (m4 if v61 <= -half_turn else 0.0)
+            q4_mmp = v62 + (m4 if v62 <= -half_turn else 0.0)
+            q4_mmm = v63 + (m4 if v63 <= -half_turn else 0.0)
+            v65 = angle1_______________ - offset5
+            v66 = offset5 + angle1_______________
+            v67 = angle1________________ - offset5
+            v68 = offset5 + angle1________________
+            v69 = angle1_________________ - offset5
+            v70 = offset5 + angle1_________________
+            v71 = angle1__________________ - offset5
+            v72 = offset5 + angle1__________________
+            q5_ppp = v65 + (m4 if v65 <= -half_turn else 0.0)
+            q5_ppm = (m4 if -v66 <= -half_turn else 0.0) - v66
+            q5_pmp = v67 + (m4 if v67 <= -half_turn else 0.0)
+            q5_pmm = (m4 if -v68 <= -half_turn else 0.0) - v68
+            q5_mpp = v69 + (m4 if v69 <= -half_turn else 0.0)
+            q5_mpm = (m4 if -v70 <= -half_turn else 0.0) - v70
+            q5_mmp = v71 + (m4 if v71 <= -half_turn else 0.0)
+            q5_mmm = (m4 if -v72 <= -half_turn else 0.0) - v72
+            q1_ppp = v13 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+            q1_mpp = v13 + (v47 + (m4 if v47 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v52 + (m4 if v52 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v53 + (m4 if v53 <= -half_turn else 0.0))
+            _6240 = q1_ppp
+            work[6240 + k] = _6240
+            _6272 = q2_ppp
+            work[6272 + k] = _6272
+            _6304 = q3_ppp
+            work[6304 + k] = _6304
+            _6336 = q4_ppp
+            work[6336 + k] = _6336
+            _6368 = q5_ppp
+            work[6368 + k] = _6368
+            _6400 = angle1
+            work[6400 + k] = _6400
+            _6432 = q4_ppm
+            work[6432 + k] = _6432
+            _6464 = q5_ppm
+            work[6464 + k] = _6464
+            _6496 = q6_ppm
+            work[6496 + k] = _6496
+            _6528 = q2_pmp
+            work[6528 + k] = _6528
+            _6560 = q3_pmp
+            work[6560 + k] = _6560
+            _6592 = q4_pmp
+            work[6592 + k] = _6592
+            _6624 = q5_pmp
+            work[6624 + k] = _6624
+            _6656 = angle1_
+            work[6656 + k] = _6656
+            _6688 = q4_pmm
+            work[6688 + k] = _6688
+            _6720 = q5_pmm
+            work[6720 + k] = _6720
+            _6752 = q6_pmm
+            work[6752 + k] = _6752
+            _6784 = q1_mpp
+            work[6784 + k] = _6784
+            _6816 = q2_mpp
+            work[6816 + k] = _6816
+            _6848 = q4_mpp
+            work[6848 + k] = _6848
+            _6880 = q5_mpp
+            work[6880 + k] = _6880
+            _6912 = angle1__
+            work[6912 + k] = _6912
+            _6944 = q4_mpm
+            work[6944 + k] = _6944
+            _6976 = q5_mpm
+            work[6976 + k] = _6976
+            _7008 = q6_mpm
+            work[7008 + k] = _7008
+            _7040 = q2_mmp
+            work[7040 + k] = _7040
+            _7072 = q4_mmp
+            work[7072 + k] = _7072
+            _7104 = q5_mmp
+            work[7104 + k] = _7104
+            _7136 = angle1___
+            work[7136 + k] = _7136
+            _7168 = q4_mmm
+            work[7168 + k] = _7168
+            _7200 = q5_mmm
+            work[7200 + k] = _7200
+            _7232 = q6_mmm
+            work[7232 + k] = _7232
+            work[7264 + k] = UNREACHABLE if _6240 != _6240 else OK
+            work[7296 + k] = UNREACHABLE if _6240 != _6240 else OK
+            work[7328 + k] = UNREACHABLE if _6240 != _6240 else OK
+            work[7360 + k] = UNREACHABLE if _6240 != _6240 else OK
+            work[7392 + k] = UNREACHABLE if _6784 != _6784 else OK
+            work[7424 + k] = UNREACHABLE if _6784 != _6784 else OK
+            work[7456 + k] = UNREACHABLE if _6784 != _6784 else OK
+            work[7488 + k] = UNREACHABLE if _6784 != _6784 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -630,14 +1256,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

@@ -21,7 +21,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "ur5"
 METHOD = "closed form"
@@ -74,6 +76,12 @@ k2 = 2.6032471470014224e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 2.6032471470001422e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 0.3344850625  # a2^2 + a3^2 [m^2]
 k5 = 2.99928766917857  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-24  # free_limit^2
+m2 = 1e-06  # near_limit^2
+m4 = 2.0223050277299973e-48  # free_limit_squared2^2 [m^4]
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -90,7 +98,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -120,7 +128,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -184,6 +192,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -493,7 +504,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -509,7 +520,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -541,7 +552,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -558,7 +569,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -579,15 +590,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -603,6 +611,268 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = T24 - d6 * T23
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = d4 * X1
+    v2 = d4 * wy
+    v3 = X1 * w1
+    v4 = v2 + v3
+    v5 = v2 - v3
+    v6 = inverse1 * v4
+    v7 = inverse1 * v5
+    v8 = wy * w1
+    v9 = v8 - v1
+    v10 = v1 + v8
+    s1_p = inverse1 * v9
+    v11 = inverse1 * v10
+    angle1 = _atan2(v9, -v4)
+    angle1_ = _atan2(-v10, -v5)
+
+    # theta6, type 2: U1 A6^-1 [3, 2]
+    v12 = v6 * T21 + s1_p * T11
+    v13 = v7 * T21 - v11 * T11
+    v14 = v6 * T22 + s1_p * T12
+    v15 = v7 * T22 - v11 * T12
+    v16 = v12 * v12 + v14 * v14
+    v17 = v13 * v13 + v15 * v15
+    w6_p = math.sqrt(v16)
+    w6_m = math.sqrt(v17)
+    factor6_p = 1.0 / w6_p
+    factor6_m = 1.0 / w6_m
+    c6_p = v12 * factor6_p
+    c6_m = v13 * factor6_m
+    v18 = v14 * factor6_p
+    v19 = v15 * factor6_m
+    angle1__ = _atan2(-v14, v12)
+    angle1___ = _atan2(-v15, v13)
+
+    # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
+    c5_p = T13 * s1_p + T23 * v6
+    c5_m = T23 * v7 - T13 * v11
+    angle1____ = _atan2(w6_p, c5_p)
+    angle1_____ = _atan2(w6_m, c5_m)
+
+    # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
+    c234_p = c6_p * T32 - v18 * T31
+    c234_m = c6_m * T32 - v19 * T31
+    s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33
+    s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33
+    angle1______ = _atan2(s234_p, c234_p)
+    angle1_______ = _atan2(s234_m, c234_m)
+    theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
+    theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v20 = d6 * w6_p
+    v21 = d6 * w6_m
+    v22 = T34 - d1
+    v23 = d5 * c234_p
+    v24 = d5 * c234_m
+    v25 = s234_p * v20
+    v26 = s234_m * v21
+    Z1_3_pp = v22 + (v23 + v25)
+    Z1_3_pm = v22 + (v25 - v23)
+    Z1_3_mp = v22 + (v24 + v26)
+    Z1_3_mm = v22 + (v26 - v24)
+    v27 = T24 * s1_p - T14 * v6
+    v28 = T24 * v11 + T14 * v7
+    v29 = c234_p * v20
+    v30 = c234_m * v21
+    v31 = d5 * s234_p
+    v32 = d5 * s234_m
+    Z2_3_pp = v27 + (v29 - v31)
+    Z2_3_pm = v27 + (v29 + v31)
+    Z2_3_mp = v30 - v32 - v28
+    Z2_3_mm = v30 + v32 - v28
+    N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+    N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
+    N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+    N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
+    K3_pp = N3_pp - k4
+    K3_pm = N3_pm - k4
+    K3_mp = N3_mp - k4
+    K3_mm = N3_mm - k4
+    w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
+    w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
+    w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
+    w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+    v33 = w3_pp - w3_pp
+    v34 = w3_pm - w3_pm
+    v35 = w3_mp - w3_mp
+    v36 = w3_mm - w3_mm
+    angle1________ = _atan2(w3_pp, K3_pp)
+    angle1_________ = _atan2(w3_pm, K3_pm)
+    angle1__________ = _atan2(w3_mp, K3_mp)
+    angle1___________ = _atan2(w3_mm, K3_mm)
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_pp = a2 + a3 * (k5 * K3_pp)
+    X1_2_pm = a2 + a3 * (k5 * K3_pm)
+    X1_2_mp = a2 + a3 * (k5 * K3_mp)
+    X1_2_mm = a2 + a3 * (k5 * K3_mm)
+    Y1_2_pp = a3 * (k5 * w3_pp)
+    Y1_2_pm = a3 * (k5 * w3_pm)
+    Y1_2_mp = a3 * (k5 * w3_mp)
+    Y1_2_mm = a3 * (k5 * w3_mm)
+    v37 = Z1_3_pp * X1_2_pp
+    v38 = Z1_3_pm * X1_2_pm
+    v39 = Z1_3_mp * X1_2_mp
+    v40 = Z1_3_mm * X1_2_mm
+    v41 = Z2_3_pp * Y1_2_pp
+    v42 = Z2_3_pm * Y1_2_pm
+    v43 = Z2_3_mp * Y1_2_mp
+    v44 = Z2_3_mm * Y1_2_mm
+    S2_ppp = v37 - v41
+    S2_ppm = v37 + v41
+    S2_pmp = v38 - v42
+    S2_pmm = v38 + v42
+    S2_mpp = v39 - v43
+    S2_mpm = v39 + v43
+    S2_mmp = v40 - v44
+    S2_mmm = v40 + v44
+    v45 = Z2_3_pp * X1_2_pp
+    v46 = Z2_3_pm * X1_2_pm
+    v47 = Z2_3_mp * X1_2_mp
+    v48 = Z2_3_mm * X1_2_mm
+    v49 = Z1_3_pp * Y1_2_pp
+    v50 = Z1_3_pm * Y1_2_pm
+    v51 = Z1_3_mp * Y1_2_mp
+    v52 = Z1_3_mm * Y1_2_mm
+    C2_ppp = v45 + v49
+    C2_ppm = v45 - v49
+    C2_pmp = v46 + v50
+    C2_pmm = v46 - v50
+    C2_mpp = v47 + v51
+    C2_mpm = v47 - v51
+    C2_mmp = v48 + v52
+    C2_mmm = v48 - v52
+    angle1____________ = _atan2(S2_ppp, C2_ppp)
+    angle1_____________ = _atan2(S2_ppm, C2_ppm)
+    angle1______________ = _atan2(S2_pmp, C2_pmp)
+    angle1_______________ = _atan2(S2_pmm, C2_pmm)
+    angle1________________ = _atan2(S2_mpp, C2_mpp)
+    angle1_________________ = _atan2(S2_mpm, C2_mpm)
+    angle1__________________ = _atan2(S2_mmp, C2_mmp)
+    angle1___________________ = _atan2(S2_mmm, C2_mmm)
+
+    # joint values
+    v53 = angle1______ - (angle1________ + angle1____________)
+    v54 = angle1______ - (angle1_____________ - angle1________)
+    v55 = theta234_pm - (angle1_________ + angle1______________)
+    v56 = theta234_pm - (angle1_______________ - angle1_________)
+    v57 = angle1_______ - (angle1__________ + angle1________________)
+    v58 = angle1_______ - (angle1_________________ - angle1__________)
+    v59 = theta234_mm - (angle1___________ + angle1__________________)
+    v60 = theta234_mm - (angle1___________________ - angle1___________)
+    q4_ppp = v53 - (m5 if half_turn < v53 else 0.0) + (m5 if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+    q1_ppp = angle1 + v33
+    q1_pmp = angle1 + v34
+    q1_mpp = angle1_ + v35
+    q1_mmp = angle1_ + v36
+    q5_ppp = angle1____ + v33
+    q5_pmp = v34 - angle1____
+    q5_mpp = angle1_____ + v35
+    q5_mmp = v36 - angle1_____
+    q6_ppp = angle1__ + v33
+    q6_pmp = v34 + (angle1__ - math.copysign(half_turn, -v14) * h1)
+    q6_mpp = angle1___ + v35
+    q6_mmp = v36 + (angle1___ - math.copysign(half_turn, -v15) * h1)
+    doubt = (
+        S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4 or
+        (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <= m4 or
+        (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp <= m4 or
+        (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp * C2_ppp <= m4 or
+        (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not (shortest3_apart < N3_mm and
+        N3_mm < longest3_apart) or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not
+        (shortest3_apart < N3_mp and N3_mp < longest3_apart) or (shortest3_reach <= N3_pm and N3_pm
+        <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and
+        N3_pp < longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
+        (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = angle1____________
+    q[0, 2] = angle1________
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = q6_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_ppp
+    q[1, 1] = angle1_____________
+    q[1, 2] = -angle1________
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppp
+    q[1, 5] = q6_ppp
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    q[2, 0] = q1_pmp
+    q[2, 1] = angle1______________
+    q[2, 2] = angle1_________
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
+    q[3, 0] = q1_pmp
+    q[3, 1] = angle1_______________
+    q[3, 2] = -angle1_________
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmp
+    q[3, 5] = q6_pmp
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
+    q[4, 0] = q1_mpp
+    q[4, 1] = angle1________________
+    q[4, 2] = angle1__________
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = q6_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
+    q[5, 0] = q1_mpp
+    q[5, 1] = angle1_________________
+    q[5, 2] = -angle1__________
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpp
+    q[5, 5] = q6_mpp
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
+    q[6, 0] = q1_mmp
+    q[6, 1] = angle1__________________
+    q[6, 2] = angle1___________
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
+    q[7, 0] = q1_mmp
+    q[7, 1] = angle1___________________
+    q[7, 2] = -angle1___________
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmp
+    q[7, 5] = q6_mmp
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
+    return True
 
 
 @_jit
@@ -626,13 +896,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -649,10 +929,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -712,10 +990,402 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [6528, 6560, 6592, 6624, 6656, 6688],
+    [6528, 6720, 6752, 6784, 6656, 6688],
+    [6816, 6848, 6880, 6912, 6944, 6976],
+    [6816, 7008, 7040, 7072, 6944, 6976],
+    [7104, 7136, 7168, 7200, 7232, 7264],
+    [7104, 7296, 7328, 7360, 7232, 7264],
+    [7392, 7424, 7456, 7488, 7520, 7552],
+    [7392, 7584, 7616, 7648, 7520, 7552],
+])
+_KINDS = np.array([7680, 7712, 7744, 7776, 7808, 7840, 7872, 7904])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(7936)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = T24 - d6 * T23
+            N1 = X1 * X1 + wy * wy
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = d4 * X1
+            v2 = d4 * wy
+            v3 = X1 * w1
+            v4 = v2 + v3
+            v5 = v2 - v3
+            v6 = inverse1 * v4
+            v7 = inverse1 * v5
+            v8 = wy * w1
+            v9 = v8 - v1
+            v10 = v1 + v8
+            s1_p = inverse1 * v9
+            v11 = inverse1 * v10
+            v12 = v6 * T21 + s1_p * T11
+            v13 = v7 * T21 - v11 * T11
+            v14 = v6 * T22 + s1_p * T12
+            v15 = v7 * T22 - v11 * T12
+            v16 = v12 * v12 + v14 * v14
+            v17 = v13 * v13 + v15 * v15
+            w6_p = math.sqrt(v16)
+            w6_m = math.sqrt(v17)
+            factor6_p = 1.0 / w6_p
+            factor6_m = 1.0 / w6_m
+            c6_p = v12 * factor6_p
+            c6_m = v13 * factor6_m
+            v18 = v14 * factor6_p
+            v19 = v15 * factor6_m
+            c5_p = T13 * s1_p + T23 * v6
+            c5_m = T23 * v7 - T13 * v11
+            c234_p = c6_p * T32 - v18 * T31
+            c234_m = c6_m * T32 - v19 * T31
+            s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33
+            s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33
+            v20 = d6 * w6_p
+            v21 = d6 * w6_m
+            v22 = T34 - d1
+            v23 = d5 * c234_p
+            v24 = d5 * c234_m
+            v25 = s234_p * v20
+            v26 = s234_m * v21
+            Z1_3_pp = v22 + (v23 + v25)
+            Z1_3_pm = v22 + (v25 - v23)
+            Z1_3_mp = v22 + (v24 + v26)
+            Z1_3_mm = v22 + (v26 - v24)
+            v27 = T24 * s1_p - T14 * v6
+            v28 = T24 * v11 + T14 * v7
+            v29 = c234_p * v20
+            v30 = c234_m * v21
+            v31 = d5 * s234_p
+            v32 = d5 * s234_m
+            Z2_3_pp = v27 + (v29 - v31)
+            Z2_3_pm = v27 + (v29 + v31)
+            Z2_3_mp = v30 - v32 - v28
+            Z2_3_mm = v30 + v32 - v28
+            N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+            N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
+            N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+            N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
+            K3_pp = N3_pp - k4
+            K3_pm = N3_pm - k4
+            K3_mp = N3_mp - k4
+            K3_mm = N3_mm - k4
+            w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
+            w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
+            w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
+            w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+            v33 = w3_pp - w3_pp
+            v34 = w3_pm - w3_pm
+            v35 = w3_mp - w3_mp
+            v36 = w3_mm - w3_mm
+            X1_2_pp = a2 + a3 * (k5 * K3_pp)
+            X1_2_pm = a2 + a3 * (k5 * K3_pm)
+            X1_2_mp = a2 + a3 * (k5 * K3_mp)
+            X1_2_mm = a2 + a3 * (k5 * K3_mm)
+            Y1_2_pp = a3 * (k5 * w3_pp)
+            Y1_2_pm = a3 * (k5 * w3_pm)
+            Y1_2_mp = a3 * (k5 * w3_mp)
+            Y1_2_mm = a3 * (k5 * w3_mm)
+            v37 = Z1_3_pp * X1_2_pp
+            v38 = Z1_3_pm * X1_2_pm
+            v39 = Z1_3_mp * X1_2_mp
+            v40 = Z1_3_mm * X1_2_mm
+            v41 = Z2_3_pp * Y1_2_pp
+            v42 = Z2_3_pm * Y1_2_pm
+            v43 = Z2_3_mp * Y1_2_mp
+            v44 = Z2_3_mm * Y1_2_mm
+            S2_ppp = v37 - v41
+            S2_ppm = v37 + v41
+            S2_pmp = v38 - v42
+            S2_pmm = v38 + v42
+            S2_mpp = v39 - v43
+            S2_mpm = v39 + v43
+            S2_mmp = v40 - v44
+            S2_mmm = v40 + v44
+            v45 = Z2_3_pp * X1_2_pp
+            v46 = Z2_3_pm * X1_2_pm
+            v47 = Z2_3_mp * X1_2_mp
+            v48 = Z2_3_mm * X1_2_mm
+            v49 = Z1_3_pp * Y1_2_pp
+            v50 = Z1_3_pm * Y1_2_pm
+            v51 = Z1_3_mp * Y1_2_mp
+            v52 = Z1_3_mm * Y1_2_mm
+            C2_ppp = v45 + v49
+            C2_ppm = v45 - v49
+            C2_pmp = v46 + v50
+            C2_pmm = v46 - v50
+            C2_mpp = v47 + v51
+            C2_mpm = v47 - v51
+            C2_mmp = v48 + v52
+            C2_mmm = v48 - v52
+            doubt = (
+                S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4
+                or (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <=
+                m4 or (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp
+                <= m4 or (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp *
+                C2_ppp <= m4 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not
+                (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (shortest3_reach <= N3_mp
+                and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and N3_mp <
+                longest3_apart) or (shortest3_reach <= N3_pm and N3_pm <= longest3_reach and not
+                (shortest3_apart < N3_pm and N3_pm < longest3_apart) or (shortest3_reach <= N3_pp
+                and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and N3_pp <
+                longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
+                (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
+            )
+            work[3808 + k] = v14
+            work[2080 + k] = v15
+            work[960 + k] = s234_p
+            work[3744 + k] = s234_m
+            work[4128 + k] = v33
+            work[4160 + k] = v34
+            work[4192 + k] = v35
+            work[4224 + k] = v36
+            work[4256 + k] = doubt
+            work[4288 + k] = v9
+            work[4320 + k] = -v10
+            work[4352 + k] = -v14
+            work[4384 + k] = -v15
+            work[4416 + k] = w6_p
+            work[4448 + k] = w6_m
+            work[4480 + k] = s234_p
+            work[4512 + k] = s234_m
+            work[4544 + k] = w3_pp
+            work[4576 + k] = w3_pm
+            work[4608 + k] = w3_mp
+            work[4640 + k] = w3_mm
+            work[4672 + k] = S2_ppp
+            work[4704 + k] = S2_ppm
+            work[4736 + k] = S2_pmp
+            work[4768 + k] = S2_pmm
+            work[4800 + k] = S2_mpp
+            work[4832 + k] = S2_mpm
+            work[4864 + k] = S2_mmp
+            work[4896 + k] = S2_mmm
+            work[4928 + k] = -v4
+            work[4960 + k] = -v5
+            work[4992 + k] = v12
+            work[5024 + k] = v13
+            work[5056 + k] = c5_p
+            work[5088 + k] = c5_m
+            work[5120 + k] = c234_p
+            work[5152 + k] = c234_m
+            work[5184 + k] = K3_pp
+            work[5216 + k] = K3_pm
+            work[5248 + k] = K3_mp
+            work[5280 + k] = K3_mm
+            work[5312 + k] = C2_ppp
+            work[5344 + k] = C2_ppm
+            work[5376 + k] = C2_pmp
+            work[5408 + k] = C2_pmm
+            work[5440 + k] = C2_mpp
+            work[5472 + k] = C2_mpm
+            work[5504 + k] = C2_mmp
+            work[5536 + k] = C2_mmm
+        for k in range(4288, 4928):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            s234_p = work[960 + k]
+            v15 = work[2080 + k]
+            s234_m = work[3744 + k]
+            v14 = work[3808 + k]
+            v33 = work[4128 + k]
+            v34 = work[4160 + k]
+            v35 = work[4192 + k]
+            v36 = work[4224 + k]
+            doubt = work[4256 + k] != 0.0
+            angle1 = work[4288 + k]
+            angle1_ = work[4320 + k]
+            angle1__ = work[4352 + k]
+            angle1___ = work[4384 + k]
+            angle1____ = work[4416 + k]
+            angle1_____ = work[4448 + k]
+            angle1______ = work[4480 + k]
+            angle1_______ = work[4512 + k]
+            angle1________ = work[4544 + k]
+            angle1_________ = work[4576 + k]
+            angle1__________ = work[4608 + k]
+            angle1___________ = work[4640 + k]
+            angle1____________ = work[4672 + k]
+            angle1_____________ = work[4704 + k]
+            angle1______________ = work[4736 + k]
+            angle1_______________ = work[4768 + k]
+            angle1________________ = work[4800 + k]
+            angle1_________________ = work[4832 + k]
+            angle1__________________ = work[4864 + k]
+            angle1___________________ = work[4896 + k]
+            theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
+            theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
+            v53 = angle1______ - (angle1________ + angle1____________)
+            v54 = angle1______ - (angle1_____________ - angle1________)
+            v55 = theta234_pm - (angle1_________ + angle1______________)
+            v56 = theta234_pm - (angle1_______________ - angle1_________)
+            v57 = angle1_______ - (angle1__________ + angle1________________)
+            v58 = angle1_______ - (angle1_________________ - angle1__________)
+            v59 = theta234_mm - (angle1___________ + angle1__________________)
+            v60 = theta234_mm - (angle1___________________ - angle1___________)
+            q4_ppp = v53 - (m5 if half_turn < v53 else 0.0) + (m5 if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+            q1_ppp = angle1 + v33
+            q1_pmp = angle1 + v34
+            q1_mpp = angle1_ + v35
+            q1_mmp = angle1_ + v36
+            q5_ppp = angle1____ + v33
+            q5_pmp = v34 - angle1____
+            q5_mpp = angle1_____ + v35
+            q5_mmp = v36 - angle1_____
+            q6_ppp = angle1__ + v33
+            q6_pmp = v34 + (angle1__ - math.copysign(half_turn, -v14) * h1)
+            q6_mpp = angle1___ + v35
+            q6_mmp = v36 + (angle1___ - math.copysign(half_turn, -v15) * h1)
+            _6528 = q1_ppp
+            work[6528 + k] = _6528
+            _6560 = angle1____________
+            work[6560 + k] = _6560
+            _6592 = angle1________
+            work[6592 + k] = _6592
+            _6624 = q4_ppp
+            work[6624 + k] = _6624
+            _6656 = q5_ppp
+            work[6656 + k] = _6656
+            _6688 = q6_ppp
+            work[6688 + k] = _6688
+            _6720 = angle1_____________
+            work[6720 + k] = _6720
+            _6752 = -angle1________
+            work[6752 + k] = _6752
+            _6784 = q4_ppm
+            work[6784 + k] = _6784
+            _6816 = q1_pmp
+            work[6816 + k] = _6816
+            _6848 = angle1______________
+            work[6848 + k] = _6848
+            _6880 = angle1_________
+            work[6880 + k] = _6880
+            _6912 = q4_pmp
+            work[6912 + k] = _6912
+            _6944 = q5_pmp
+            work[6944 + k] = _6944
+            _6976 = q6_pmp
+            work[6976 + k] = _6976
+            _7008 = angle1_______________
+            work[7008 + k] = _7008
+            _7040 = -angle1_________
+            work[7040 + k] = _7040
+            _7072 = q4_pmm
+            work[7072 + k] = _7072
+            _7104 = q1_mpp
+            work[7104 + k] = _7104
+            _7136 = angle1________________
+            work[7136 + k] = _7136
+            _7168 = angle1__________
+            work[7168 + k] = _7168
+            _7200 = q4_mpp
+            work[7200 + k] = _7200
+            _7232 = q5_mpp
+            work[7232 + k] = _7232
+            _7264 = q6_mpp
+            work[7264 + k] = _7264
+            _7296 = angle1_________________
+            work[7296 + k] = _7296
+            _7328 = -angle1__________
+            work[7328 + k] = _7328
+            _7360 = q4_mpm
+            work[7360 + k] = _7360
+            _7392 = q1_mmp
+            work[7392 + k] = _7392
+            _7424 = angle1__________________
+            work[7424 + k] = _7424
+            _7456 = angle1___________
+            work[7456 + k] = _7456
+            _7488 = q4_mmp
+            work[7488 + k] = _7488
+            _7520 = q5_mmp
+            work[7520 + k] = _7520
+            _7552 = q6_mmp
+            work[7552 + k] = _7552
+            _7584 = angle1___________________
+            work[7584 + k] = _7584
+            _7616 = -angle1___________
+            work[7616 + k] = _7616
+            _7648 = q4_mmm
+            work[7648 + k] = _7648
+            work[7680 + k] = UNREACHABLE if _6528 != _6528 else OK
+            work[7712 + k] = UNREACHABLE if _6528 != _6528 else OK
+            work[7744 + k] = UNREACHABLE if _6816 != _6816 else OK
+            work[7776 + k] = UNREACHABLE if _6816 != _6816 else OK
+            work[7808 + k] = UNREACHABLE if _7104 != _7104 else OK
+            work[7840 + k] = UNREACHABLE if _7104 != _7104 else OK
+            work[7872 + k] = UNREACHABLE if _7392 != _7392 else OK
+            work[7904 + k] = UNREACHABLE if _7392 != _7392 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -726,14 +1396,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):

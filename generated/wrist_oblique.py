@@ -22,7 +22,8 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
 
 NAME = "wrist_oblique"
 METHOD = "closed form"
@@ -69,6 +70,7 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.3213938048432697  # ca2 * 1 / 2
+m1 = 9.999999999999998e-49  # free_limit_squared^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -85,7 +87,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -162,6 +164,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -362,15 +367,12 @@ def _turned(joint, given, towards):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(2):
@@ -384,6 +386,162 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[3, 4]
+    v1 = k1 * (sqrt3 * T14)
+    Y1 = k1 * (sqrt3 * T24)
+    Z1 = k1 * (T34 - k2)
+    N1 = v1 * v1 + Y1 * Y1
+    D1 = N1 - Z1 * Z1
+    free1 = N1 <= free_limit_squared2
+    v2 = 2.0 * abs(Z1)
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v3 = v1 * Z1
+    v4 = Y1 * Z1
+    v5 = v1 * w1
+    v6 = v4 + v5
+    v7 = v4 - v5
+    c1_p = inverse1 * v6
+    c1_m = inverse1 * v7
+    v8 = Y1 * w1
+    v9 = v8 - v3
+    v10 = v3 + v8
+    s1_p = inverse1 * v9
+    v11 = inverse1 * v10
+
+    # theta3, type 3: U1[3, 2] and U1[3, 1]
+    v12 = sqrt3 * T22
+    v13 = sqrt3 * T12
+    v14 = sqrt3 * T21
+    v15 = sqrt3 * T11
+    S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))
+    S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))
+    C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))
+    C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))
+    v16 = S3_p * S3_p + C3_p * C3_p
+    v17 = S3_m * S3_m + C3_m * C3_m
+    v18 = 1.0 / math.sqrt(v16)
+    v19 = 1.0 / math.sqrt(v17)
+    v20 = C3_p * v18
+    v21 = C3_m * v19
+    v22 = S3_p * v18
+    v23 = S3_m * v19
+
+    # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
+    v24 = k4 * (T32 * v22 - T31 * v20)
+    v25 = k4 * (T32 * v23 - T31 * v21)
+    v26 = k5 * (k1 * (2.0 * T33 - ca2))
+    v27 = -1.0 if -k6 < 0.0 else 1.0
+    v28 = v26 * v26
+    v29 = v28 + v24 * v24
+    v30 = v28 + v25 * v25
+    factor2_p = v27 / math.sqrt(v29)
+    factor2_m = v27 / math.sqrt(v30)
+    v31 = v26 * factor2_p
+    v32 = v26 * factor2_m
+    v33 = v24 * factor2_p
+    v34 = v25 * factor2_m
+
+    # is the pose one that the arm can take?
+    v35 = 2.0 * c1_p
+    v36 = 2.0 * c1_m
+    v37 = ca2 * s1_p
+    v38 = ca2 * v11
+    v39 = s1_p * v20
+    v40 = v11 * v21
+    v41 = ca2 * c1_p
+    v42 = ca2 * c1_m
+    v43 = 2.0 * v41
+    v44 = 2.0 * v42
+    v45 = s1_p * v22
+    v46 = v11 * v23
+    v47 = sa2 * s1_p
+    v48 = sa2 * v11
+    v49 = sa2 * c1_p
+    v50 = sa2 * c1_m
+    v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p)
+    v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11)
+    v53 = 2.0 * s1_p
+    v54 = 2.0 * v11
+    v55 = c1_p * v20
+    v56 = c1_m * v21
+    v57 = 2.0 * v37
+    v58 = 2.0 * v38
+    v59 = c1_p * v22
+    v60 = c1_m * v23
+    v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p)
+    v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m)
+    v63 = sqrt3 * v22
+    v64 = sqrt3 * v23
+    v65 = sqrt3 * v20
+    v66 = sqrt3 * v21
+    v67 = ca2 - k3 * v31
+    v68 = ca2 - k3 * v32
+    v69 = math.sqrt(-1.0)
+    v70 = (
+        0.0 if (abs(T34 - k1 * (d3 * v67)) <= pose_slack1 and (abs(T33 - k1 * v67) <= pose_slack and
+        (abs(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 * v20)) <= pose_slack and (abs(T31 - k1
+        * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <= pose_slack and (abs(T24 - k1 * (d3 * v61))
+        <= pose_slack1 and (abs(T23 - k1 * v61) <= pose_slack and (abs(T22 + k1 * (v31 * (v22 * v53
+        - v20 * v41) + v33 * (v59 + v20 * v57) + sa2 * (sqrt3 * v55))) <= pose_slack and (abs(T21 -
+        k1 * (v31 * (v20 * v53 + v22 * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <=
+        pose_slack and (abs(T14 - k1 * (d3 * v51)) <= pose_slack1 and (abs(T13 - k1 * v51) <=
+        pose_slack and (abs(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 *
+        (v39 + v22 * v43)))) <= pose_slack and abs(T12 + k1 * (v31 * (v20 * v37 + v22 * v35) - v33 *
+        (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))) else v69
+    )
+    v71 = (
+        0.0 if (abs(T34 - k1 * (d3 * v68)) <= pose_slack1 and (abs(T33 - k1 * v68) <= pose_slack and
+        (abs(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 * v21)) <= pose_slack and (abs(T31 - k1
+        * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <= pose_slack and (abs(T24 + k1 * (d3 * v62))
+        <= pose_slack1 and (abs(T23 + k1 * v62) <= pose_slack and (abs(T22 + k1 * (v34 * (v60 - v21
+        * v58) - v32 * (v23 * v54 + v21 * v42) + sa2 * (sqrt3 * v56))) <= pose_slack and (abs(T21 -
+        k1 * (v32 * (v23 * v42 - v21 * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <=
+        pose_slack and (abs(T14 - k1 * (d3 * v52)) <= pose_slack1 and (abs(T13 - k1 * v52) <=
+        pose_slack and (abs(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23
+        * v38 + v21 * v36)))) <= pose_slack and abs(T12 + k1 * (v32 * (v23 * v36 - v21 * v38) + v34
+        * (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))) else v69
+    )
+
+    # joint values
+    angle1 = _atan2(v9, v6)
+    q1_p = v70 + angle1
+    angle1_ = _atan2(-v10, v7)
+    q1_m = v71 + angle1_
+    angle1__ = _atan2(-v33, -v31)
+    q2_p = v70 + angle1__
+    angle1___ = _atan2(-v34, -v32)
+    q2_m = v71 + angle1___
+    angle1____ = _atan2(-S3_p, -C3_p)
+    q3_p = v70 + angle1____
+    angle1_____ = _atan2(-S3_m, -C3_m)
+    q3_m = v71 + angle1_____
+    doubt = (
+        v17 <= m1 or v30 <= m1 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <= D1 and (free1
+        or not (merge_slack1 * (merge_slack1 + v2) < D1)) or (v16 <= m1 or v29 <= m1))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
 
 
 @_jit
@@ -407,13 +565,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (3,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -430,10 +598,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((2, 3)), np.empty(2, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (3,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -493,10 +659,238 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(3)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [3936, 3968, 4000],
+    [4032, 4064, 4096],
+])
+_KINDS = np.array([4128, 4160])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(4192)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = k1 * (sqrt3 * T14)
+            Y1 = k1 * (sqrt3 * T24)
+            Z1 = k1 * (T34 - k2)
+            N1 = v1 * v1 + Y1 * Y1
+            D1 = N1 - Z1 * Z1
+            free1 = N1 <= free_limit_squared2
+            v2 = 2.0 * abs(Z1)
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v3 = v1 * Z1
+            v4 = Y1 * Z1
+            v5 = v1 * w1
+            v6 = v4 + v5
+            v7 = v4 - v5
+            c1_p = inverse1 * v6
+            c1_m = inverse1 * v7
+            v8 = Y1 * w1
+            v9 = v8 - v3
+            v10 = v3 + v8
+            s1_p = inverse1 * v9
+            v11 = inverse1 * v10
+            v12 = sqrt3 * T22
+            v13 = sqrt3 * T12
+            v14 = sqrt3 * T21
+            v15 = sqrt3 * T11
+            S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))
+            S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))
+            C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))
+            C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))
+            v16 = S3_p * S3_p + C3_p * C3_p
+            v17 = S3_m * S3_m + C3_m * C3_m
+            v18 = 1.0 / math.sqrt(v16)
+            v19 = 1.0 / math.sqrt(v17)
+            v20 = C3_p * v18
+            v21 = C3_m * v19
+            v22 = S3_p * v18
+            v23 = S3_m * v19
+            v24 = k4 * (T32 * v22 - T31 * v20)
+            v25 = k4 * (T32 * v23 - T31 * v21)
+            v26 = k5 * (k1 * (2.0 * T33 - ca2))
+            v27 = -1.0 if -k6 < 0.0 else 1.0
+            v28 = v26 * v26
+            v29 = v28 + v24 * v24
+            v30 = v28 + v25 * v25
+            factor2_p = v27 / math.sqrt(v29)
+            factor2_m = v27 / math.sqrt(v30)
+            v31 = v26 * factor2_p
+            v32 = v26 * factor2_m
+            v33 = v24 * factor2_p
+            v34 = v25 * factor2_m
+            v35 = 2.0 * c1_p
+            v36 = 2.0 * c1_m
+            v37 = ca2 * s1_p
+            v38 = ca2 * v11
+            v39 = s1_p * v20
+            v40 = v11 * v21
+            v41 = ca2 * c1_p
+            v42 = ca2 * c1_m
+            v43 = 2.0 * v41
+            v44 = 2.0 * v42
+            v45 = s1_p * v22
+            v46 = v11 * v23
+            v47 = sa2 * s1_p
+            v48 = sa2 * v11
+            v49 = sa2 * c1_p
+            v50 = sa2 * c1_m
+            v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p)
+            v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11)
+            v53 = 2.0 * s1_p
+            v54 = 2.0 * v11
+            v55 = c1_p * v20
+            v56 = c1_m * v21
+            v57 = 2.0 * v37
+            v58 = 2.0 * v38
+            v59 = c1_p * v22
+            v60 = c1_m * v23
+            v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p)
+            v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m)
+            v63 = sqrt3 * v22
+            v64 = sqrt3 * v23
+            v65 = sqrt3 * v20
+            v66 = sqrt3 * v21
+            v67 = ca2 - k3 * v31
+            v68 = ca2 - k3 * v32
+            v69 = math.sqrt(-1.0)
+            v70 = (
+                0.0 if (abs(T34 - k1 * (d3 * v67)) <= pose_slack1 and (abs(T33 - k1 * v67) <=
+                pose_slack and (abs(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 * v20)) <=
+                pose_slack and (abs(T31 - k1 * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <=
+                pose_slack and (abs(T24 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T23 - k1 * v61)
+                <= pose_slack and (abs(T22 + k1 * (v31 * (v22 * v53 - v20 * v41) + v33 * (v59 + v20
+                * v57) + sa2 * (sqrt3 * v55))) <= pose_slack and (abs(T21 - k1 * (v31 * (v20 * v53 +
+                v22 * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <= pose_slack and
+                (abs(T14 - k1 * (d3 * v51)) <= pose_slack1 and (abs(T13 - k1 * v51) <= pose_slack
+                and (abs(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 *
+                (v39 + v22 * v43)))) <= pose_slack and abs(T12 + k1 * (v31 * (v20 * v37 + v22 * v35)
+                - v33 * (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))) else v69
+            )
+            v71 = (
+                0.0 if (abs(T34 - k1 * (d3 * v68)) <= pose_slack1 and (abs(T33 - k1 * v68) <=
+                pose_slack and (abs(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 * v21)) <=
+                pose_slack and (abs(T31 - k1 * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <=
+                pose_slack and (abs(T24 + k1 * (d3 * v62)) <= pose_slack1 and (abs(T23 + k1 * v62)
+                <= pose_slack and (abs(T22 + k1 * (v34 * (v60 - v21 * v58) - v32 * (v23 * v54 + v21
+                * v42) + sa2 * (sqrt3 * v56))) <= pose_slack and (abs(T21 - k1 * (v32 * (v23 * v42 -
+                v21 * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <= pose_slack and
+                (abs(T14 - k1 * (d3 * v52)) <= pose_slack1 and (abs(T13 - k1 * v52) <= pose_slack
+                and (abs(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23 *
+                v38 + v21 * v36)))) <= pose_slack and abs(T12 + k1 * (v32 * (v23 * v36 - v21 * v38)
+                + v34 * (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))) else v69
+            )
+            doubt = (
+                v17 <= m1 or v30 <= m1 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <= D1 and
+                (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or (v16 <= m1 or v29 <=
+                m1))
+            )
+            work[3264 + k] = v70
+            work[3296 + k] = v71
+            work[3328 + k] = doubt
+            work[3360 + k] = v9
+            work[3392 + k] = -v10
+            work[3424 + k] = -v33
+            work[3456 + k] = -v34
+            work[3488 + k] = -S3_p
+            work[3520 + k] = -S3_m
+            work[3552 + k] = v6
+            work[3584 + k] = v7
+            work[3616 + k] = -v31
+            work[3648 + k] = -v32
+            work[3680 + k] = -C3_p
+            work[3712 + k] = -C3_m
+        for k in range(3360, 3552):
+            work[k] = _atan2(work[k], work[k + 192])
+        for k in range(0, 32):
+            v70 = work[3264 + k]
+            v71 = work[3296 + k]
+            doubt = work[3328 + k] != 0.0
+            angle1 = work[3360 + k]
+            angle1_ = work[3392 + k]
+            angle1__ = work[3424 + k]
+            angle1___ = work[3456 + k]
+            angle1____ = work[3488 + k]
+            angle1_____ = work[3520 + k]
+            q1_p = v70 + angle1
+            q1_m = v71 + angle1_
+            q2_p = v70 + angle1__
+            q2_m = v71 + angle1___
+            q3_p = v70 + angle1____
+            q3_m = v71 + angle1_____
+            _3936 = q1_p
+            work[3936 + k] = _3936
+            _3968 = q2_p
+            work[3968 + k] = _3968
+            _4000 = q3_p
+            work[4000 + k] = _4000
+            _4032 = q1_m
+            work[4032 + k] = _4032
+            _4064 = q2_m
+            work[4064 + k] = _4064
+            _4096 = q3_m
+            work[4096 + k] = _4096
+            work[4128 + k] = UNREACHABLE if _3936 != _3936 else OK
+            work[4160 + k] = UNREACHABLE if _4032 != _4032 else OK
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(3):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -507,14 +901,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):
