@@ -59,14 +59,10 @@ def draw(results: Sequence[Result], path: Path) -> None:
         axes.set_ylim(len(results) - 0.5, -0.5)
         axes.grid(axis="x", color="#e8e8e8")
         axes.set_axisbelow(True)
-        labels = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-        axes.legend(
-            labels.values(),
-            labels.keys(),
-            loc="center left",
-            bbox_to_anchor=(1.0, 0.5),
-            frameon=False,
-        )
+        handles, labels = axes.get_legend_handles_labels()
+        marks = dict(sorted(zip(labels, handles, strict=True), key=_ours_first))
+        place_right = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "frameon": False}
+        axes.legend(marks.values(), marks.keys(), **place_right)
         for side in ("top", "right", "left"):
             axes.spines[side].set_visible(False)
         figure.savefig(path, bbox_inches="tight", metadata={"Date": None, "Creator": None})
