@@ -1062,15 +1062,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3040 + k] = Y1
-            work[1024 + k] = w3_p
-            work[2752 + k] = w3_m
+            work[2272 + k] = Y1
+            work[2912 + k] = w3_p
+            work[672 + k] = w3_m
             work[3488 + k] = v38
             work[3520 + k] = v39
-            work[1344 + k] = v44
-            work[2912 + k] = v45
-            work[2560 + k] = v46
-            work[2848 + k] = v47
+            work[1824 + k] = v44
+            work[864 + k] = v45
+            work[2784 + k] = v46
+            work[1664 + k] = v47
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1113,13 +1113,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            w3_p = work[1024 + k]
-            v44 = work[1344 + k]
-            v46 = work[2560 + k]
-            w3_m = work[2752 + k]
-            v47 = work[2848 + k]
-            v45 = work[2912 + k]
-            Y1 = work[3040 + k]
+            w3_m = work[672 + k]
+            v45 = work[864 + k]
+            v47 = work[1664 + k]
+            v44 = work[1824 + k]
+            Y1 = work[2272 + k]
+            v46 = work[2784 + k]
+            w3_p = work[2912 + k]
             v38 = work[3488 + k]
             v39 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

@@ -665,8 +665,8 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
                 (free234 or free2_p)))
             )
-            work[1536 + k] = v10
-            work[928 + k] = v11
+            work[1472 + k] = v10
+            work[544 + k] = v11
             work[1568 + k] = v12
             work[1664 + k] = q1_p
             work[1696 + k] = q1_m
@@ -682,8 +682,8 @@ def _in_tiles(T, q, status):
         for k in range(1760, 1888):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v11 = work[928 + k]
-            v10 = work[1536 + k]
+            v11 = work[544 + k]
+            v10 = work[1472 + k]
             v12 = work[1568 + k]
             q1_p = work[1664 + k]
             q1_m = work[1696 + k]
