@@ -11,8 +11,8 @@ all_joints chosen continuum copy damped_step descend descent distance_between is
 limited_step look least_u most_u nearest_solution no_highest no_lowest
 part pulled shorten solved span_low span_width stands_before
 start_of stride turn_vector turning unit wrap_angles
-G LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
-given here high i nearly residual serving_digits serving_value
+G LANES LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
+given here high i nearly residual serving_digits serving_value solve_regular
 inner j k least left length lost low middle misfit miss moved n nearest outer read_pose result right
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
 """

@@ -46,8 +46,7 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
             {"name": "wide", "lanes": "LANES", "functions": functions},
         ],
         "arctangent": _arctangent(),
-        "irregularity": _irregularity(module),
-        "irregular_inputs": ", ".join(_inputs(module, "%")),
+        "irregularity": {name: _irregularity(module, name) for name in ("wide", "double")},
         "wide": _wide(module, flat),
         "one": _one(module, lanes),
         "tile": {"prototype": _prototype(module, "HELPER unsigned solve_tile", "tile")},
@@ -93,7 +92,14 @@ def _arctangent() -> dict[str, object]:
     }
 
 
-def _irregularity(module: SolverModule) -> list[str]:
+def _irregularity(module: SolverModule, number: str) -> dict[str, object]:
+    """The head and the statements of the function, for one type of numbers."""
+    given = ", ".join(_inputs(module, number))
+    lines = [line.replace("%", number) for line in _irregular_lines(module)]
+    return {"head": f"HELPER {number} irregularity_{number}({given})", "lines": lines}
+
+
+def _irregular_lines(module: SolverModule) -> list[str]:
     """Statements; % is the type."""
     kind = module.chain.task.kind
     positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
