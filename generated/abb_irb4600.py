@@ -1018,15 +1018,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[2336 + k] = Y1
-            work[2912 + k] = w3_p
+            work[2624 + k] = Y1
+            work[736 + k] = w3_p
             work[672 + k] = w3_m
             work[3488 + k] = v39
             work[3520 + k] = v40
-            work[896 + k] = v45
-            work[2816 + k] = v46
-            work[1696 + k] = v47
-            work[2112 + k] = v48
+            work[1568 + k] = v45
+            work[1728 + k] = v46
+            work[1856 + k] = v47
+            work[2976 + k] = v48
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1070,12 +1070,12 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             w3_m = work[672 + k]
-            v45 = work[896 + k]
-            v47 = work[1696 + k]
-            v48 = work[2112 + k]
-            Y1 = work[2336 + k]
-            v46 = work[2816 + k]
-            w3_p = work[2912 + k]
+            w3_p = work[736 + k]
+            v45 = work[1568 + k]
+            v46 = work[1728 + k]
+            v47 = work[1856 + k]
+            Y1 = work[2624 + k]
+            v48 = work[2976 + k]
             v39 = work[3488 + k]
             v40 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

@@ -463,7 +463,7 @@ def _in_tiles(T, q, status):
             v2 = v1 + Y2_2 * Y2_2
             q3_pp = math.sqrt(v2)
             doubt = v1 <= m1 or v2 <= m1
-            work[608 + k] = v1
+            work[576 + k] = v1
             work[640 + k] = q3_pp
             work[672 + k] = doubt
             work[704 + k] = T24
@@ -474,7 +474,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v1 = work[608 + k]
+            v1 = work[576 + k]
             q3_pp = work[640 + k]
             doubt = work[672 + k] != 0.0
             angle1 = work[704 + k]

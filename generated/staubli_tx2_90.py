@@ -1125,14 +1125,14 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
             )
-            work[3584 + k] = w3_p
-            work[704 + k] = w3_m
-            work[928 + k] = v15
-            work[2240 + k] = v16
-            work[896 + k] = s6_pp
-            work[2464 + k] = s6_pm
-            work[3840 + k] = s6_mp
-            work[3776 + k] = s6_mm
+            work[672 + k] = w3_p
+            work[640 + k] = w3_m
+            work[2688 + k] = v15
+            work[1888 + k] = v16
+            work[3712 + k] = s6_pp
+            work[3200 + k] = s6_pm
+            work[544 + k] = s6_mp
+            work[3296 + k] = s6_mm
             work[4416 + k] = v91
             work[4448 + k] = v92
             work[4480 + k] = doubt
@@ -1179,14 +1179,14 @@ def _in_tiles(T, q, status):
         for k in range(4512, 5152):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            w3_m = work[704 + k]
-            s6_pp = work[896 + k]
-            v15 = work[928 + k]
-            v16 = work[2240 + k]
-            s6_pm = work[2464 + k]
-            w3_p = work[3584 + k]
-            s6_mm = work[3776 + k]
-            s6_mp = work[3840 + k]
+            s6_mp = work[544 + k]
+            w3_m = work[640 + k]
+            w3_p = work[672 + k]
+            v16 = work[1888 + k]
+            v15 = work[2688 + k]
+            s6_pm = work[3200 + k]
+            s6_mm = work[3296 + k]
+            s6_pp = work[3712 + k]
             v91 = work[4416 + k]
             v92 = work[4448 + k]
             doubt = work[4480 + k] != 0.0

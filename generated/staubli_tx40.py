@@ -1035,11 +1035,11 @@ def _in_tiles(T, q, status):
             )
             work[3200 + k] = v1
             work[3232 + k] = v13
-            work[2272 + k] = v14
-            work[800 + k] = s6_pp
-            work[1824 + k] = s6_pm
-            work[2752 + k] = s6_mp
-            work[2688 + k] = s6_mm
+            work[2112 + k] = v14
+            work[2688 + k] = s6_pp
+            work[2368 + k] = s6_pm
+            work[544 + k] = s6_mp
+            work[2400 + k] = s6_mm
             work[3264 + k] = v54
             work[3296 + k] = v55
             work[3328 + k] = doubt
@@ -1084,11 +1084,11 @@ def _in_tiles(T, q, status):
         for k in range(3360, 3968):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            s6_pp = work[800 + k]
-            s6_pm = work[1824 + k]
-            v14 = work[2272 + k]
-            s6_mm = work[2688 + k]
-            s6_mp = work[2752 + k]
+            s6_mp = work[544 + k]
+            v14 = work[2112 + k]
+            s6_pm = work[2368 + k]
+            s6_mm = work[2400 + k]
+            s6_pp = work[2688 + k]
             v1 = work[3200 + k]
             v13 = work[3232 + k]
             v54 = work[3264 + k]
