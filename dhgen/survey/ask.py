@@ -87,6 +87,7 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
     poses = answered = 0
     worst = 0.0
     told: list[str] = []
+    redundant = is_redundant(trial.robot)
     for kind, q in singular_sets(trial.robot, count).items():
         faults = []
         for joints, T in zip(q, trial.poses(q), strict=True):
@@ -101,7 +102,7 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
             elif (
                 not _among(trial, joints, rows, RECOVERED)
                 and FREE_JOINT not in status
-                and not in_a_family(trial.robot, joints)
+                and not (redundant or in_a_family(trial.robot, joints))
             ):
                 fault = f"found again only within {trial.apart(rows, joints).min():.1e}"
             answered += not fault

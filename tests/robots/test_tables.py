@@ -24,10 +24,8 @@ REFUSED = {"degenerate_collinear_56"}
 # No robot files yet.
 UNSOLVED = {
     "bartell_rprpr",
-    "franka_panda",
     "kinova_gen3_7",
     "parallel_123",
-    "techman_tm5_900",
     "xarm7",
 }
 # Strokes and a task that the table leaves open.

@@ -1,0 +1,1387 @@
+/* techman_tm5_900: Techman TM5-900
+ *
+ * Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
+ * techman_tm5_900.md.
+ */
+#include "techman_tm5_900.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+static const double d1 = 0.1452; /* joint offset 1 [m] */
+static const double a2 = 0.429; /* link length 2 [m] */
+static const double d3 = 0.1223; /* joint offset 3 [m] */
+static const double a3 = 0.4115; /* link length 3 [m] */
+static const double d5 = 0.106; /* joint offset 5 [m] */
+static const double d6 = 0.11315; /* joint offset 6 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 1.7613271225000004e-24;
+static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double near_limit = 0.001; /* a length whose direction is good to few digits */
+static const double longest3 = 0.70644025; /* square of the longest reach [m^2] */
+static const double shortest3 = 0.00030625000000000053; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest3_reach = 0.706440250000223;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest3_reach = 0.0003062499999953556;
+/* the longest, where branches merge [m^2] */
+static const double longest3_apart = 0.7064402499999777;
+/* the shortest, where branches merge [m^2] */
+static const double shortest3_apart = 0.000306250000000465;
+static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
+static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
+static const double k1 = 0.014957290000000002; /* d3^2 [m^2] */
+static const double k2 = 3.2462089000017624e-14; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+static const double k3 = 3.246208900000177e-15; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
+static const double k4 = 0.35337324999999997; /* a2^2 + a3^2 [m^2] */
+static const double k5 = 2.8323236099663807; /* 1 / (2 * a3 * a2) [m^-2] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low3 = -2.705260341591211; /* lowest value of joint 3 */
+static const double high3 = 2.705260341591211; /* highest value of joint 3 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m2 = 1e-06; /* near_limit^2 */
+static const double m4 = 3.102273232454132e-48; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
+
+const char *const techman_tm5_900_branches[8] = {
+    "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
+    "right-noflip-up", "right-flip-down", "right-flip-up",
+};
+
+static const double lowest[6] = {
+    -4.71238898038469, -3.141592653589793, -2.705260340591211, -3.141592653589793,
+    -3.141592653589793, -4.71238898038469,
+};
+static const double highest[6] = {
+    4.71238898038469, 3.141592653589793, 2.705260340591211, 3.141592653589793, 3.141592653589793,
+    4.71238898038469,
+};
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+void techman_tm5_900_fk(const double q[6], double T[16])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double v2 = q[1] + offset2;
+    const double c2 = cos(v2);
+    const double s2 = sin(v2);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double v3 = c1 * s2;
+    const double v4 = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3;
+    const double x3_y = x2_y * c3 - v4 * s3;
+    const double x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3;
+    const double v6 = v4 * c3 + x2_y * s3;
+    const double y3_z = c2 * c3 - s2 * s3;
+    const double v7 = q[3] + offset4;
+    const double c4 = cos(v7);
+    const double s4 = sin(v7);
+    const double x4_x = x3_x * c4 - v5 * s4;
+    const double x4_y = x3_y * c4 - v6 * s4;
+    const double x4_z = x3_z * c4 + y3_z * s4;
+    const double z4_x = v5 * c4 + x3_x * s4;
+    const double z4_y = v6 * c4 + x3_y * s4;
+    const double z4_z = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + s1 * s5;
+    const double x5_y = x4_y * c5 - c1 * s5;
+    const double x5_z = x4_z * c5;
+    const double T23_ = c1 * c5 + x4_y * s5;
+    const double T33_ = x4_z * s5;
+    const double T13_ = x4_x * s5 - s1 * c5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6;
+    const double T21_ = x5_y * c6 + z4_y * s6;
+    const double T31_ = x5_z * c6 + z4_z * s6;
+    const double T12_ = z4_x * c6 - x5_x * s6;
+    const double T22_ = z4_y * c6 - x5_y * s6;
+    const double T32_ = z4_z * c6 - x5_z * s6;
+    const double T14_ = x2_x * a2 + x3_x * a3 - s1 * d3 + z4_x * d5 + T13_ * d6;
+    const double T24_ = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + T23_ * d6;
+    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + T33_ * d6;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void techman_tm5_900_jacobian(const double q[6], double J[36])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double v2 = q[1] + offset2;
+    const double c2 = cos(v2);
+    const double s2 = sin(v2);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double v3 = c1 * s2;
+    const double v4 = s1 * s2;
+    const double p2_x = x2_x * a2;
+    const double p2_y = x2_y * a2;
+    const double p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3;
+    const double x3_y = x2_y * c3 - v4 * s3;
+    const double x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3;
+    const double v6 = v4 * c3 + x2_y * s3;
+    const double y3_z = c2 * c3 - s2 * s3;
+    const double p3_z = p2_z + x3_z * a3;
+    const double p3_x = p2_x + x3_x * a3 - s1 * d3;
+    const double p3_y = p2_y + x3_y * a3 + c1 * d3;
+    const double v7 = q[3] + offset4;
+    const double c4 = cos(v7);
+    const double s4 = sin(v7);
+    const double J45 = v5 * c4 + x3_x * s4;
+    const double J55 = v6 * c4 + x3_y * s4;
+    const double J65 = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5;
+    const double J66 = (x3_z * c4 + y3_z * s4) * s5;
+    const double p5_x = p3_x + J45 * d5;
+    const double p5_y = p3_y + J55 * d5;
+    const double p5_z = p3_z + J65 * d5;
+    const double J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5;
+    const double J21 = p5_x + J46 * d6;
+    const double p6_y = p5_y + J56 * d6;
+    const double p6_z = p5_z + J66 * d6;
+    const double v8 = p6_z - d1;
+    const double J32 = s1 * p6_y + c1 * J21;
+    const double v9 = p6_z - p2_z;
+    const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
+    const double v10 = J21 - p3_x;
+    const double v11 = p6_y - p3_y;
+    const double v12 = p6_z - p3_z;
+    const double J34 = s1 * v11 + c1 * v10;
+    const double J15 = J55 * v12 - J65 * v11;
+    const double J25 = J65 * v10 - J45 * v12;
+    const double J35 = J45 * v11 - J55 * v10;
+    const double v13 = J21 - p5_x;
+    const double v14 = p6_y - p5_y;
+    const double v15 = p6_z - p5_z;
+    const double J16 = J56 * v15 - J66 * v14;
+    const double J26 = J66 * v13 - J46 * v15;
+    const double J36 = J46 * v14 - J56 * v13;
+    J[0] = -p6_y; J[1] = -(c1 * v8); J[2] = -(c1 * v9); J[3] = -(c1 * v12); J[4] = J15; J[5] = J16;
+    J[6] = J21; J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = -(s1 * v12); J[10] = J25; J[11] = J26;
+    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
+    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = s1; J[22] = J45; J[23] = J46;
+    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -c1; J[28] = J55; J[29] = J56;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = 0.0; J[34] = J65; J[35] = J66;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef TECHMAN_TM5_900_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DTECHMAN_TM5_900_SCALAR. With -DTECHMAN_TM5_900_LIBM the arctangents are those of <math.h>, too.
+ * */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(TECHMAN_TM5_900_SCALAR) && !defined(TECHMAN_TM5_900_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#ifdef TECHMAN_TM5_900_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & TECHMAN_TM5_900_UNREACHABLE) \
+        | (~(none) & (outside) & TECHMAN_TM5_900_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)TECHMAN_TM5_900_UNREACHABLE \
+        : (outside) ? (int)TECHMAN_TM5_900_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide X1 = d6 * T13 - T14;
+    const wide wy = T24 - d6 * T23;
+    const wide N1 = X1 * X1 + wy * wy;
+    const wide D1 = N1 - k1;
+    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide w1 = sqrt_wide(D1);
+    const wide inverse1 = 1.0 / N1;
+    const wide v1 = d3 * X1;
+    const wide v2 = d3 * wy;
+    const wide v3 = X1 * w1;
+    const wide v4 = v2 - v3;
+    const wide v5 = v2 + v3;
+    const wide c1_p = inverse1 * v4;
+    const wide c1_m = inverse1 * v5;
+    const wide v6 = wy * w1;
+    const wide v7 = v1 + v6;
+    const wide v8 = v1 - v6;
+    const wide s1_p = inverse1 * v7;
+    const wide s1_m = inverse1 * v8;
+
+    /* theta6 */
+    const wide X6_p = c1_p * T21 - s1_p * T11;
+    const wide X6_m = c1_m * T21 - s1_m * T11;
+    const wide Y6_p = c1_p * T22 - s1_p * T12;
+    const wide Y6_m = c1_m * T22 - s1_m * T12;
+    const wide v9 = X6_p * X6_p + Y6_p * Y6_p;
+    const wide v10 = X6_m * X6_m + Y6_m * Y6_m;
+    const wide w6_p = sqrt_wide(v9);
+    const wide w6_m = sqrt_wide(v10);
+    const wide factor6_p = 1.0 / w6_p;
+    const wide factor6_m = 1.0 / w6_m;
+    const wide v11 = X6_p * factor6_p;
+    const wide v12 = X6_m * factor6_m;
+    const wide s6_p = Y6_p * factor6_p;
+    const wide s6_m = Y6_m * factor6_m;
+    const wide angle1 = atan2_wide(Y6_p, -X6_p);
+    const wide angle1_ = atan2_wide(Y6_m, -X6_m);
+
+    /* theta5 */
+    const wide c5_p = T23 * c1_p - T13 * s1_p;
+    const wide c5_m = T23 * c1_m - T13 * s1_m;
+    const wide angle1__ = atan2_wide(w6_p, c5_p);
+    const wide angle1___ = atan2_wide(w6_m, c5_m);
+
+    /* theta234 */
+    const wide Z1_234_p = s6_p * T31 - v11 * T32;
+    const wide Z1_234_m = s6_m * T31 - v12 * T32;
+    const wide s234_p = w6_p * T33 - c5_p * (v11 * T31 + s6_p * T32);
+    const wide s234_m = w6_m * T33 - c5_m * (v12 * T31 + s6_m * T32);
+    const wide angle1____ = atan2_wide(s234_p, -Z1_234_p);
+    const wide angle1_____ = atan2_wide(s234_m, -Z1_234_m);
+    const wide theta234_pm = angle1____ - h1 * copysign_wide(all_wide(half_turn), s234_p);
+    const wide theta234_mm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), s234_m);
+
+    /* theta3 */
+    const wide v13 = d6 * w6_p;
+    const wide v14 = d6 * w6_m;
+    const wide v15 = T34 - d1;
+    const wide v16 = d5 * Z1_234_p;
+    const wide v17 = d5 * Z1_234_m;
+    const wide v18 = s234_p * v13;
+    const wide v19 = s234_m * v14;
+    const wide Z1_3_pp = v15 - (v16 + v18);
+    const wide Z1_3_pm = v15 - (v18 - v16);
+    const wide Z1_3_mp = v15 - (v17 + v19);
+    const wide Z1_3_mm = v15 - (v19 - v17);
+    const wide v20 = T14 * c1_p + T24 * s1_p;
+    const wide v21 = T14 * c1_m + T24 * s1_m;
+    const wide v22 = Z1_234_p * v13;
+    const wide v23 = Z1_234_m * v14;
+    const wide v24 = d5 * s234_p;
+    const wide v25 = d5 * s234_m;
+    const wide Z2_3_pp = v20 + (v22 - v24);
+    const wide Z2_3_pm = v20 + (v22 + v24);
+    const wide Z2_3_mp = v21 + (v23 - v25);
+    const wide Z2_3_mm = v21 + (v23 + v25);
+    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
+    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
+    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
+    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
+    const wide K3_pp = N3_pp - k4;
+    const wide K3_pm = N3_pm - k4;
+    const wide K3_mp = N3_mp - k4;
+    const wide K3_mm = N3_mm - k4;
+    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
+    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
+    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
+    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
+    const wide v26 = w3_pp - w3_pp;
+    const wide v27 = w3_pm - w3_pm;
+    const wide v28 = w3_mp - w3_mp;
+    const wide v29 = w3_mm - w3_mm;
+    const wide angle1______ = atan2_wide(w3_pp, K3_pp);
+    const wide angle1_______ = atan2_wide(w3_pm, K3_pm);
+    const wide angle1________ = atan2_wide(w3_mp, K3_mp);
+    const wide angle1_________ = atan2_wide(w3_mm, K3_mm);
+
+    /* theta2 */
+    const wide X1_2_pp = a2 + a3 * (k5 * K3_pp);
+    const wide X1_2_pm = a2 + a3 * (k5 * K3_pm);
+    const wide X1_2_mp = a2 + a3 * (k5 * K3_mp);
+    const wide X1_2_mm = a2 + a3 * (k5 * K3_mm);
+    const wide Y1_2_pp = a3 * (k5 * w3_pp);
+    const wide Y1_2_pm = a3 * (k5 * w3_pm);
+    const wide Y1_2_mp = a3 * (k5 * w3_mp);
+    const wide Y1_2_mm = a3 * (k5 * w3_mm);
+    const wide v30 = Z1_3_pp * X1_2_pp;
+    const wide v31 = Z1_3_pm * X1_2_pm;
+    const wide v32 = Z1_3_mp * X1_2_mp;
+    const wide v33 = Z1_3_mm * X1_2_mm;
+    const wide v34 = Z2_3_pp * Y1_2_pp;
+    const wide v35 = Z2_3_pm * Y1_2_pm;
+    const wide v36 = Z2_3_mp * Y1_2_mp;
+    const wide v37 = Z2_3_mm * Y1_2_mm;
+    const wide S2_ppp = v30 - v34;
+    const wide S2_ppm = v30 + v34;
+    const wide S2_pmp = v31 - v35;
+    const wide S2_pmm = v31 + v35;
+    const wide S2_mpp = v32 - v36;
+    const wide S2_mpm = v32 + v36;
+    const wide S2_mmp = v33 - v37;
+    const wide S2_mmm = v33 + v37;
+    const wide v38 = Z2_3_pp * X1_2_pp;
+    const wide v39 = Z2_3_pm * X1_2_pm;
+    const wide v40 = Z2_3_mp * X1_2_mp;
+    const wide v41 = Z2_3_mm * X1_2_mm;
+    const wide v42 = Z1_3_pp * Y1_2_pp;
+    const wide v43 = Z1_3_pm * Y1_2_pm;
+    const wide v44 = Z1_3_mp * Y1_2_mp;
+    const wide v45 = Z1_3_mm * Y1_2_mm;
+    const wide C2_ppp = v38 + v42;
+    const wide C2_ppm = v38 - v42;
+    const wide C2_pmp = v39 + v43;
+    const wide C2_pmm = v39 - v43;
+    const wide C2_mpp = v40 + v44;
+    const wide C2_mpm = v40 - v44;
+    const wide C2_mmp = v41 + v45;
+    const wide C2_mmm = v41 - v45;
+    const wide angle1__________ = atan2_wide(S2_ppp, C2_ppp);
+    const wide angle1___________ = atan2_wide(S2_ppm, C2_ppm);
+    const wide angle1____________ = atan2_wide(S2_pmp, C2_pmp);
+    const wide angle1_____________ = atan2_wide(S2_pmm, C2_pmm);
+    const wide angle1______________ = atan2_wide(S2_mpp, C2_mpp);
+    const wide angle1_______________ = atan2_wide(S2_mpm, C2_mpm);
+    const wide angle1________________ = atan2_wide(S2_mmp, C2_mmp);
+    const wide angle1_________________ = atan2_wide(S2_mmm, C2_mmm);
+
+    /* joint values */
+    const wide angle1__________________ = atan2_wide(v7, v4);
+    const wide v46 = angle1__________________ - offset1;
+    const wide angle1___________________ = atan2_wide(v8, v5);
+    const wide v47 = angle1___________________ - offset1;
+    const wide q1__p = v46 + pick_wide(v46 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q1__m = v47 + pick_wide(v47 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v48 = angle1__________ - offset2;
+    const wide v49 = angle1___________ - offset2;
+    const wide v50 = angle1____________ - offset2;
+    const wide v51 = angle1_____________ - offset2;
+    const wide v52 = angle1______________ - offset2;
+    const wide v53 = angle1_______________ - offset2;
+    const wide v54 = angle1________________ - offset2;
+    const wide v55 = angle1_________________ - offset2;
+    const wide q2_ppp = v48 + pick_wide(v48 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_ppm = v49 + pick_wide(v49 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_pmp = v50 + pick_wide(v50 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_pmm = v51 + pick_wide(v51 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mpp = v52 + pick_wide(v52 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mpm = v53 + pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mmp = v54 + pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q2_mmm = v55 + pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v56 = angle1____ - (angle1______ + angle1__________) - offset4;
+    const wide v57 = angle1____ - (angle1___________ - angle1______) - offset4;
+    const wide v58 = theta234_pm - (angle1_______ + angle1____________) - offset4;
+    const wide v59 = theta234_pm - (angle1_____________ - angle1_______) - offset4;
+    const wide v60 = angle1_____ - (angle1________ + angle1______________) - offset4;
+    const wide v61 = angle1_____ - (angle1_______________ - angle1________) - offset4;
+    const wide v62 = theta234_mm - (angle1_________ + angle1________________) - offset4;
+    const wide v63 = theta234_mm - (angle1_________________ - angle1_________) - offset4;
+    const wide v64 = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0)) + pick_wide(v56
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v65 = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0)) + pick_wide(v57
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v66 = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0)) + pick_wide(v58
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v67 = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0)) + pick_wide(v59
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v68 = v60 - pick_wide(half_turn < v60, all_wide(m5), all_wide(0.0)) + pick_wide(v60
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v69 = v61 - pick_wide(half_turn < v61, all_wide(m5), all_wide(0.0)) + pick_wide(v61
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v70 = v62 - pick_wide(half_turn < v62, all_wide(m5), all_wide(0.0)) + pick_wide(v62
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v71 = v63 - pick_wide(half_turn < v63, all_wide(m5), all_wide(0.0)) + pick_wide(v63
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_ppm = v65 + pick_wide(v65 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpp = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mpm = v69 + pick_wide(v69 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mmm = v71 + pick_wide(v71 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide_mask outside_ppp = (angle1______ < low3) | (high3 < angle1______);
+    const wide_mask outside_ppm = (-angle1______ < low3) | (high3 < -angle1______);
+    const wide_mask outside_pmp = (angle1_______ < low3) | (high3 < angle1_______);
+    const wide_mask outside_pmm = (-angle1_______ < low3) | (high3 < -angle1_______);
+    const wide_mask outside_mpp = (angle1________ < low3) | (high3 < angle1________);
+    const wide_mask outside_mpm = (-angle1________ < low3) | (high3 < -angle1________);
+    const wide_mask outside_mmp = (angle1_________ < low3) | (high3 < angle1_________);
+    const wide_mask outside_mmm = (-angle1_________ < low3) | (high3 < -angle1_________);
+    const wide q1_ppp = v26 + q1__p;
+    const wide q1_pmp = v27 + q1__p;
+    const wide q1_mpp = v28 + q1__m;
+    const wide q1_mmp = v29 + q1__m;
+    const wide q5_ppp = angle1__ + v26;
+    const wide q5_pmp = v27 - angle1__;
+    const wide q5_mpp = angle1___ + v28;
+    const wide q5_mmp = v29 - angle1___;
+    const wide q6_ppp = angle1 + v26;
+    const wide q6_pmp = v27 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
+    const wide q6_mpp = angle1_ + v28;
+    const wide q6_mmp = v29 + (angle1_ - copysign_wide(all_wide(half_turn), Y6_m) * h1);
+    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4) | ((S2_mmp * S2_mmp + C2_mmp *
+        C2_mmp <= m4) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4) | ((S2_mpp * S2_mpp + C2_mpp *
+        C2_mpp <= m4) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4) | ((S2_pmp * S2_pmp + C2_pmp *
+        C2_pmp <= m4) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4) | ((S2_ppp * S2_ppp + C2_ppp *
+        C2_ppp <= m4) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
+        (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
+        N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
+        longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
+        N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
+        longest3_apart)) == 0)) | (((v10 <= m1) | (v10 <= m2)) | ((free1 | ((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0)))) | ((v9 <= m1) | (v9 <= m2)))))))))))))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = angle1______;
+    q[3] = q4_ppp;
+    q[4] = q5_ppp;
+    q[5] = q6_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[6] = q1_ppp;
+    q[7] = q2_ppm;
+    q[8] = -angle1______;
+    q[9] = q4_ppm;
+    q[10] = q5_ppp;
+    q[11] = q6_ppp;
+    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[12] = q1_pmp;
+    q[13] = q2_pmp;
+    q[14] = angle1_______;
+    q[15] = q4_pmp;
+    q[16] = q5_pmp;
+    q[17] = q6_pmp;
+    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    q[18] = q1_pmp;
+    q[19] = q2_pmm;
+    q[20] = -angle1_______;
+    q[21] = q4_pmm;
+    q[22] = q5_pmp;
+    q[23] = q6_pmp;
+    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[24] = q1_mpp;
+    q[25] = q2_mpp;
+    q[26] = angle1________;
+    q[27] = q4_mpp;
+    q[28] = q5_mpp;
+    q[29] = q6_mpp;
+    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    q[30] = q1_mpp;
+    q[31] = q2_mpm;
+    q[32] = -angle1________;
+    q[33] = q4_mpm;
+    q[34] = q5_mpp;
+    q[35] = q6_mpp;
+    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[36] = q1_mmp;
+    q[37] = q2_mmp;
+    q[38] = angle1_________;
+    q[39] = q4_mmp;
+    q[40] = q5_mmp;
+    q[41] = q6_mmp;
+    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    q[42] = q1_mmp;
+    q[43] = q2_mmm;
+    q[44] = -angle1_________;
+    q[45] = q4_mmm;
+    q[46] = q5_mmp;
+    q[47] = q6_mmp;
+    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+static const double m3 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double X1 = d6 * T13 - T14;
+    const double wy = T24 - d6 * T23;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const double w1 = sqrt(D1);
+    const double inverse1 = 1.0 / N1;
+    const double v1 = d3 * X1;
+    const double v2 = d3 * wy;
+    const double v3 = X1 * w1;
+    const four v4 = v2 - e1 * v3;
+    const four c1 = inverse1 * v4;
+    const double v5 = wy * w1;
+    const four v6 = v1 + e1 * v5;
+    const four s1 = inverse1 * v6;
+
+    /* theta6 */
+    const four X6 = c1 * T21 - s1 * T11;
+    const four Y6 = c1 * T22 - s1 * T12;
+    const four v7 = X6 * X6 + Y6 * Y6;
+    const four w6 = sqrt_four(v7);
+    const four factor6 = 1.0 / w6;
+    const four v8 = X6 * factor6;
+    const four s6 = Y6 * factor6;
+    const four v9 = copysign_four(all_four(half_turn), Y6);
+    const four v10 = m3 * (e2 - 1.0);
+
+    /* theta5 */
+    const four c5 = T23 * c1 - T13 * s1;
+
+    /* theta234 */
+    const four Z1_234 = s6 * T31 - v8 * T32;
+    const four s234 = w6 * T33 - c5 * (v8 * T31 + s6 * T32);
+    const four v11 = copysign_four(all_four(half_turn), s234);
+
+    /* theta3 */
+    const four v12 = d6 * w6;
+    const double v13 = T34 - d1;
+    const four v14 = d5 * Z1_234;
+    const four v15 = s234 * v12;
+    const four Z1_3 = v13 - (v15 + e2 * v14);
+    const four v16 = T14 * c1 + T24 * s1;
+    const four v17 = Z1_234 * v12;
+    const four v18 = d5 * s234;
+    const four Z2_3 = v16 + (v17 - e2 * v18);
+    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const four K3 = N3 - k4;
+    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four v19 = w3 - w3;
+
+    /* theta2 */
+    const four X1_2 = a2 + a3 * (k5 * K3);
+    const four Y1_2 = a3 * (k5 * w3);
+    const four v20 = Z1_3 * X1_2;
+    const four v21 = Z2_3 * Y1_2;
+    const four S2_p = v20 - v21;
+    const four S2_m = v20 + v21;
+    const four v22 = Z2_3 * X1_2;
+    const four v23 = Z1_3 * Y1_2;
+    const four C2_p = v22 + v23;
+    const four C2_m = v22 - v23;
+
+    /* joint values */
+    const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
+    const four_mask v31 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v7 <= m1) | (v7 <= m2));
+    const four_mask doubt = (S2_m * S2_m + C2_m * C2_m <= m4) | ((S2_p * S2_p + C2_p * C2_p <= m4) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | v31));
+
+    const four angle1___ = atan2_four(w3, K3);
+    const four angle1____ = atan2_four(S2_p, C2_p);
+    const four angle1_____ = atan2_four(S2_m, C2_m);
+    const four packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
+        __builtin_shufflevector(-X6, c5, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
+    const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
+    const four packed5 = atan2_four(__builtin_shufflevector(s234, v6, 0, 5, 2, 7),
+        __builtin_shufflevector(-Z1_234, v4, 0, 5, 2, 7));
+    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1______ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle1__ + v10 * v11;
+    const four v24 = angle1______ - offset1;
+    const four q1_ = v24 + pick_four(v24 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v25 = angle1____ - offset2;
+    const four v26 = angle1_____ - offset2;
+    const four q2_p = v25 + pick_four(v25 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q2_m = v26 + pick_four(v26 <= -half_turn, all_four(m5), all_four(0.0));
+    const four v27 = theta234 - (angle1___ + angle1____) - offset4;
+    const four v28 = theta234 - (angle1_____ - angle1___) - offset4;
+    const four v29 = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four v30 = v28 - pick_four(half_turn < v28, all_four(m5), all_four(0.0)) + pick_four(v28
+        <= -half_turn, all_four(m5), all_four(0.0));
+    const four q4_p = v29 + pick_four(v29 <= -half_turn, all_four(m5), all_four(0.0));
+    const four q4_m = v30 + pick_four(v30 <= -half_turn, all_four(m5), all_four(0.0));
+    const four_mask outside_p = (angle1___ < low3) | (high3 < angle1___);
+    const four_mask outside_m = (-angle1___ < low3) | (high3 < -angle1___);
+    const four q1_p = v19 + q1_;
+    const four q5_p = v19 + e2 * angle1_;
+    const four q6_p = v19 + (angle1 + v9 * v10);
+
+    if (!(irregularity_double(T) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle1___, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -angle1___, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
+    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[48], x[LANES];
+    wide_mask kind[8];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (48 >= LANES) {
+        for (int i = 0; i < 48; i += LANES) {
+            const int from = i + LANES <= 48 ? i : 48 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 48 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 48; i++)
+            for (int k = 0; k < LANES; k++)
+                q[48 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
+
+/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
+ * is LOST says how far it is from a solution (negative). */
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1, type 2: U1 A6^-1 [3, 4] */
+    const double X1 = T13 * d6 - T14;
+    const double wy = T24 - d6 * T23;
+    const double N1 = X1 * X1 + wy * wy;
+    const double D1 = N1 - k1;
+    const int free1 = N1 <= free_limit_squared2;
+    const int apart1 = k3 < D1;
+    if (!(-k2 <= D1)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double v1 = X1 * d3;
+    const double v2 = wy * d3;
+    const double v3 = seed[0] + offset1;
+
+    /* theta3, type 8: U1[2, 4] and U1[1, 4] */
+    const double v7 = T34 - d1;
+
+    /* theta2, type 3: U1[2, 4] and U1[1, 4] */
+    const double v11 = seed[1] + offset2;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        /* theta1 */
+        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        const double root1 = w1 * e1;
+        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1);
+        const double s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
+
+        /* theta6, type 2: U1 A6^-1 [3, 2] */
+        const double X6 = T21 * c1 - T11 * s1;
+        const double Y6 = T22 * c1 - T12 * s1;
+        const double w6 = sqrt(X6 * X6 + Y6 * Y6);
+        const int free6 = w6 <= free_limit;
+        const double divisor6 = free6 ? 1.0 : w6;
+        const int near6 = w6 <= near_limit;
+
+        /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
+        const double c5 = T23 * c1 - T13 * s1;
+
+        /* theta3 */
+        const double v8 = T14 * c1 + T24 * s1;
+
+        /* joint values */
+        const double q1 = wrap(atan2(s1, c1) - offset1);
+
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta6 */
+            if (e2 < 0.0 && free6) continue; /* both signs give the same */
+            const double factor6 = e2 / divisor6;
+            const double v4 = X6 * factor6;
+            const double v5 = Y6 * factor6;
+            const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
+            const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
+            const int same6 = near6 && (off6 <= free_limit && 0.0 < ahead6);
+            const int held6 = free6 || same6;
+            const double c6 = held6 ? cos(seed[5]) : -v4;
+            const double s6 = held6 ? sin(seed[5]) : v5;
+            const double q6 = atan2(s6, c6);
+            const double s5 = w6 * e2;
+
+            /* theta5 */
+            const double q5 = atan2(s5, c5);
+
+            /* theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1] */
+            const double Z1_234 = c6 * T32 + s6 * T31;
+            const double s234 = c5 * (c6 * T31 - s6 * T32) + s5 * T33;
+            const double theta234 = atan2(s234, -Z1_234);
+
+            /* theta3 */
+            const double v6 = d6 * s5;
+            const double Z1_3 = v7 - (Z1_234 * d5 + s234 * v6);
+            const double Z2_3 = Z1_234 * v6 - s234 * d5 + v8;
+            const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+            const double K3 = N3 - k4;
+            const double D3 = (longest3 - N3) * (N3 - shortest3);
+            const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
+            if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
+                if (near6) {
+                    status[4 * i1 + 2 * i2] = NEARLY + 6;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                    q[4 * i1 + 2 * i2][1] = q6;
+                }
+                if (free1) {
+                    status[4 * i1 + 2 * i2] = LOST + 1;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                }
+                if (free6) {
+                    status[4 * i1 + 2 * i2] = LOST + 6;
+                    q[4 * i1 + 2 * i2][0] = D3;
+                }
+                continue; /* out of reach */
+            }
+            const double w3 = sqrt(apart3 ? D3 : 0.0);
+            const double c3 = K3 * k5;
+
+            /* theta2 */
+            const double X1_2 = a2 + a3 * c3;
+            const double v9 = Z1_3 * X1_2;
+            const double v10 = Z2_3 * X1_2;
+
+            for (int i3 = 0; i3 < 2; i3++) { /* down, up */
+                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                /* theta3 */
+                if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+                const double s3 = w3 * e3 * k5;
+                const double q3 = atan2(s3, c3);
+
+                /* theta2 */
+                const double Y1_2 = a3 * s3;
+                const double S2 = v9 - Z2_3 * Y1_2;
+                const double C2 = v10 + Z1_3 * Y1_2;
+                const double w2 = sqrt(S2 * S2 + C2 * C2);
+                const int free2 = w2 <= free_limit_squared2;
+                const double factor2 = 1.0 / (free2 ? 1.0 : w2);
+                const double c2 = free2 ? cos(v11) : C2 * factor2;
+                const double s2 = free2 ? sin(v11) : S2 * factor2;
+                const double theta2 = atan2(s2, c2);
+
+                /* joint values */
+                const double q2 = wrap(theta2 - offset2);
+                const double q4 = wrap(theta234 - (q3 + theta2) - offset4);
+                const int row = 4 * i1 + 2 * i2 + i3;
+                q[row][0] = q1;
+                q[row][1] = q2;
+                q[row][2] = q3;
+                q[row][3] = q4;
+                q[row][4] = q5;
+                q[row][5] = q6;
+                status[row] = (free1 || free2 || free6) ? TECHMAN_TM5_900_FREE_JOINT :
+                    TECHMAN_TM5_900_OK;
+            }
+        }
+    }
+}
+
+/* A row that was lost after a joint had been chosen, and what solving again needs. */
+struct search {
+    const double *T;
+    double seed[6], start, q[8][6];
+    unsigned char status[8];
+    int joint, row;
+};
+
+/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
+static double attempt(struct search *lost, double moved)
+{
+    lost->seed[lost->joint] = lost->start + moved;
+    for (int i = 0; i < 8; i++)
+        lost->status[i] = TECHMAN_TM5_900_UNREACHABLE;
+    solve(lost->T, lost->seed, lost->q, lost->status);
+    if (lost->status[lost->row] >= LOST)
+        return lost->q[lost->row][0];
+    return lost->status[lost->row] == TECHMAN_TM5_900_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Golden section for a move between low and high that serves; NaN if there is none. */
+static double summit(struct search *lost, double low, double high)
+{
+    for (int k = 0; k < 52; k++) {
+        const double third = 0.3819660112501051 * (high - low);
+        const double left = attempt(lost, low + third), right = attempt(lost, high - third);
+        if (left == 0.0 || right == 0.0)
+            return left == 0.0 ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    return NAN;
+}
+
+/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
+ * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
+ * what lies between two of them, bisection the end that is nearest to the seed. */
+static double serving_value(struct search *lost)
+{
+    const double step = turn / 64.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(lost, (double)(k + 1) * step);
+        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
+        if (here < 0.0 && here >= before && here > after)
+            outer = summit(lost, outer - step, outer + step);
+        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const double middle = 0.5 * (inner + outer);
+            if (attempt(lost, middle) == 0.0)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabs(outer) >= fabs(nearest)))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the
+ * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static double serving_digits(struct search *lost)
+{
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
+        if (attempt(lost, moved) == 0.0)
+            return moved;
+        if (attempt(lost, -moved) == 0.0)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+{
+    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
+    *status = TECHMAN_TM5_900_UNREACHABLE;
+    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
+        nearest = NAN;
+    else
+        *status = lost->status[lost->row];
+    for (int i = 0; i < 6; i++)
+        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int techman_tm5_900_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    static const double zeros[6] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? TECHMAN_TM5_900_UNREACHABLE : TECHMAN_TM5_900_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -TECHMAN_TM5_900_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] >= LOST) {
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
+            for (int i = 0; i < 6; i++)
+                lost.seed[i] = seed[i];
+            choose_again(&lost, nearly, q[row], &status[row]);
+        }
+        if (status[row] == TECHMAN_TM5_900_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = TECHMAN_TM5_900_OUT_OF_LIMITS;
+        }
+        count += status[row] != TECHMAN_TM5_900_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+{
+    double all[8][6], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -TECHMAN_TM5_900_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -TECHMAN_TM5_900_INVALID_POSE;
+    if (techman_tm5_900_ik(T, q_seed, all, status) < 0)
+        return -TECHMAN_TM5_900_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == TECHMAN_TM5_900_OUT_OF_LIMITS && result < 0)
+            result = -TECHMAN_TM5_900_OUT_OF_LIMITS;
+        if (status[row] != TECHMAN_TM5_900_OK && status[row] != TECHMAN_TM5_900_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void techman_tm5_900_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 48 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)techman_tm5_900_ik(
+                    T + 16 * i, NULL, (double (*)[6])(q + 48 * i), status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
+        (void)techman_tm5_900_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+}

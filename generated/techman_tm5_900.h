@@ -1,0 +1,70 @@
+/* techman_tm5_900: Techman TM5-900
+ *
+ * Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
+ * techman_tm5_900.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef TECHMAN_TM5_900_H
+#define TECHMAN_TM5_900_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TECHMAN_TM5_900_METHOD "closed form"
+
+enum {
+    TECHMAN_TM5_900_DOF = 6, /* joints */
+    TECHMAN_TM5_900_ROWS = 8 /* branches */
+};
+
+/* What a row of techman_tm5_900_ik holds. */
+enum {
+    /* joint values */
+    TECHMAN_TM5_900_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    TECHMAN_TM5_900_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    TECHMAN_TM5_900_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    TECHMAN_TM5_900_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    TECHMAN_TM5_900_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const techman_tm5_900_branches[8];
+
+/* The pose T of the joint values q. */
+void techman_tm5_900_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void techman_tm5_900_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -TECHMAN_TM5_900_INVALID_POSE. */
+int techman_tm5_900_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns TECHMAN_TM5_900_OK or TECHMAN_TM5_900_FREE_JOINT, or, with NaN in q,
+ * minus TECHMAN_TM5_900_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int techman_tm5_900_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* techman_tm5_900_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void techman_tm5_900_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,770 @@
+"""techman_tm5_900: Techman TM5-900.
+
+Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
+techman_tm5_900.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_jit = njit(cache=True, error_model="numpy")
+
+NAME = "techman_tm5_900"
+METHOD = "closed form"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-4.71238898038469, 4.71238898038469),
+    (-3.141592653589793, 3.141592653589793),
+    (-2.705260340591211, 2.705260340591211),
+    (-3.141592653589793, 3.141592653589793),
+    (-3.141592653589793, 3.141592653589793),
+    (-4.71238898038469, 4.71238898038469),
+)
+BRANCHES = (
+    "left-noflip-down",
+    "left-noflip-up",
+    "left-flip-down",
+    "left-flip-up",
+    "right-noflip-down",
+    "right-noflip-up",
+    "right-flip-down",
+    "right-flip-up",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.1452  # joint offset 1 [m]
+a2 = 0.429  # link length 2 [m]
+d3 = 0.1223  # joint offset 3 [m]
+a3 = 0.4115  # link length 3 [m]
+d5 = 0.106  # joint offset 5 [m]
+d6 = 0.11315  # joint offset 6 [m]
+free_limit_squared2 = 1.7613271225000004e-24  # square of a length that fixes no angle [m^2]
+offset1 = 3.141592653589793  # offset of joint 1 [rad]
+free_limit = 1e-12  # a length that fixes no angle
+near_limit = 0.001  # a length whose direction is good to few digits
+longest3 = 0.70644025  # square of the longest reach [m^2]
+shortest3 = 0.00030625000000000053  # square of the shortest reach [m^2]
+longest3_reach = 0.706440250000223  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.0003062499999953556  # the shortest, with what rounding adds [m^2]
+longest3_apart = 0.7064402499999777  # the longest, where branches merge [m^2]
+shortest3_apart = 0.000306250000000465  # the shortest, where branches merge [m^2]
+offset2 = 1.5707963267948966  # offset of joint 2 [rad]
+offset4 = 1.5707963267948966  # offset of joint 4 [rad]
+k1 = 0.014957290000000002  # d3^2 [m^2]
+k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
+k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
+k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
+k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@_jit
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    T = np.zeros((4, 4))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v3 = c1 * s2
+    v4 = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - v3 * s3
+    x3_y = x2_y * c3 - v4 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v5 = v3 * c3 + x2_x * s3
+    v6 = v4 * c3 + x2_y * s3
+    y3_z = c2 * c3 - s2 * s3
+    v7 = q[3] + offset4
+    c4 = math.cos(v7)
+    s4 = math.sin(v7)
+    x4_x = x3_x * c4 - v5 * s4
+    x4_y = x3_y * c4 - v6 * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    z4_x = v5 * c4 + x3_x * s4
+    z4_y = v6 * c4 + x3_y * s4
+    z4_z = x3_z * s4 - y3_z * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + s1 * s5
+    x5_y = x4_y * c5 - c1 * s5
+    x5_z = x4_z * c5
+    T23_ = c1 * c5 + x4_y * s5
+    T33_ = x4_z * s5
+    T13_ = x4_x * s5 - s1 * c5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 + z4_x * s6
+    T21_ = x5_y * c6 + z4_y * s6
+    T31_ = x5_z * c6 + z4_z * s6
+    T12_ = z4_x * c6 - x5_x * s6
+    T22_ = z4_y * c6 - x5_y * s6
+    T32_ = z4_z * c6 - x5_z * s6
+    T14_ = x2_x * a2 + x3_x * a3 - s1 * d3 + z4_x * d5 + T13_ * d6
+    T24_ = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + T23_ * d6
+    T34_ = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + T33_ * d6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    J = np.zeros((6, 6))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    v3 = c1 * s2
+    v4 = s1 * s2
+    p2_x = x2_x * a2
+    p2_y = x2_y * a2
+    p2_z = d1 + s2 * a2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - v3 * s3
+    x3_y = x2_y * c3 - v4 * s3
+    x3_z = s2 * c3 + c2 * s3
+    v5 = v3 * c3 + x2_x * s3
+    v6 = v4 * c3 + x2_y * s3
+    y3_z = c2 * c3 - s2 * s3
+    p3_z = p2_z + x3_z * a3
+    p3_x = p2_x + x3_x * a3 - s1 * d3
+    p3_y = p2_y + x3_y * a3 + c1 * d3
+    v7 = q[3] + offset4
+    c4 = math.cos(v7)
+    s4 = math.sin(v7)
+    J45 = v5 * c4 + x3_x * s4
+    J55 = v6 * c4 + x3_y * s4
+    J65 = x3_z * s4 - y3_z * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5
+    J66 = (x3_z * c4 + y3_z * s4) * s5
+    p5_x = p3_x + J45 * d5
+    p5_y = p3_y + J55 * d5
+    p5_z = p3_z + J65 * d5
+    J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5
+    J21 = p5_x + J46 * d6
+    p6_y = p5_y + J56 * d6
+    p6_z = p5_z + J66 * d6
+    v8 = p6_z - d1
+    J32 = s1 * p6_y + c1 * J21
+    v9 = p6_z - p2_z
+    J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)
+    v10 = J21 - p3_x
+    v11 = p6_y - p3_y
+    v12 = p6_z - p3_z
+    J34 = s1 * v11 + c1 * v10
+    J15 = J55 * v12 - J65 * v11
+    J25 = J65 * v10 - J45 * v12
+    J35 = J45 * v11 - J55 * v10
+    v13 = J21 - p5_x
+    v14 = p6_y - p5_y
+    v15 = p6_z - p5_z
+    J16 = J56 * v15 - J66 * v14
+    J26 = J66 * v13 - J46 * v15
+    J36 = J46 * v14 - J56 * v13
+    J[0, 0] = -p6_y
+    J[0, 1] = -(c1 * v8)
+    J[0, 2] = -(c1 * v9)
+    J[0, 3] = -(c1 * v12)
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = -(s1 * v8)
+    J[1, 2] = -(s1 * v9)
+    J[1, 3] = -(s1 * v12)
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 1] = s1
+    J[3, 2] = s1
+    J[3, 3] = s1
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 1] = -c1
+    J[4, 2] = -c1
+    J[4, 3] = -c1
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 4] = J65
+    J[5, 5] = J66
+    return J
+
+
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+
+    The first value of a row that is _LOST says how far it is from a solution (negative).
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = T13 * d6 - T14
+    wy = T24 - d6 * T23
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    apart1 = k3 < D1
+    if not (-k2 <= D1):
+        return  # out of reach
+    w1 = math.sqrt(D1 if apart1 else 0.0)
+    inverse1 = 1.0 / (1.0 if free1 else N1)
+    v1 = X1 * d3
+    v2 = wy * d3
+    v3 = seed[0] + offset1
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v7 = T34 - d1
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    v11 = seed[1] + offset2
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and (free1 or not apart1):
+            continue  # both signs give the same
+        root1 = w1 * e1
+        c1 = math.cos(v3) if free1 else inverse1 * (v2 - X1 * root1)
+        s1 = math.sin(v3) if free1 else inverse1 * (v1 + wy * root1)
+
+        # theta6, type 2: U1 A6^-1 [3, 2]
+        X6 = T21 * c1 - T11 * s1
+        Y6 = T22 * c1 - T12 * s1
+        w6 = math.sqrt(X6 * X6 + Y6 * Y6)
+        free6 = w6 <= free_limit
+        divisor6 = 1.0 if free6 else w6
+        near6 = w6 <= near_limit
+
+        # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
+        c5 = T23 * c1 - T13 * s1
+
+        # theta3
+        v8 = T14 * c1 + T24 * s1
+
+        # joint values
+        q1 = _wrap(_atan2(s1, c1) - offset1)
+
+        for i2 in range(2):  # noflip, flip
+            e2 = 1.0 - 2.0 * i2
+            # theta6
+            if e2 < 0.0 and free6:
+                continue  # both signs give the same
+            factor6 = e2 / divisor6
+            v4 = X6 * factor6
+            v5 = Y6 * factor6
+            off6 = w6 * abs(v4 * math.sin(seed[5]) + v5 * math.cos(seed[5])) if near6 else 1.0
+            ahead6 = v5 * math.sin(seed[5]) - v4 * math.cos(seed[5]) if near6 else -1.0
+            same6 = near6 and (off6 <= free_limit and 0.0 < ahead6)
+            held6 = free6 or same6
+            c6 = math.cos(seed[5]) if held6 else -v4
+            s6 = math.sin(seed[5]) if held6 else v5
+            q6 = _atan2(s6, c6)
+            s5 = w6 * e2
+
+            # theta5
+            q5 = _atan2(s5, c5)
+
+            # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
+            Z1_234 = c6 * T32 + s6 * T31
+            s234 = c5 * (c6 * T31 - s6 * T32) + s5 * T33
+            theta234 = _atan2(s234, -Z1_234)
+
+            # theta3
+            v6 = d6 * s5
+            Z1_3 = v7 - (Z1_234 * d5 + s234 * v6)
+            Z2_3 = Z1_234 * v6 - s234 * d5 + v8
+            N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+            K3 = N3 - k4
+            D3 = (longest3 - N3) * (N3 - shortest3)
+            apart3 = shortest3_apart < N3 and N3 < longest3_apart
+            if not (shortest3_reach <= N3 and N3 <= longest3_reach):
+                if near6:
+                    status[4 * i1 + 2 * i2] = _NEARLY + 6
+                    q[4 * i1 + 2 * i2, 0] = D3
+                    q[4 * i1 + 2 * i2, 1] = q6
+                if free1:
+                    status[4 * i1 + 2 * i2] = _LOST + 1
+                    q[4 * i1 + 2 * i2, 0] = D3
+                if free6:
+                    status[4 * i1 + 2 * i2] = _LOST + 6
+                    q[4 * i1 + 2 * i2, 0] = D3
+                continue  # out of reach
+            w3 = math.sqrt(D3 if apart3 else 0.0)
+            c3 = K3 * k5
+
+            # theta2
+            X1_2 = a2 + a3 * c3
+            v9 = Z1_3 * X1_2
+            v10 = Z2_3 * X1_2
+
+            for i3 in range(2):  # down, up
+                e3 = 1.0 - 2.0 * i3
+                # theta3
+                if e3 < 0.0 and not apart3:
+                    continue  # both signs give the same
+                s3 = w3 * e3 * k5
+                q3 = _atan2(s3, c3)
+
+                # theta2
+                Y1_2 = a3 * s3
+                S2 = v9 - Z2_3 * Y1_2
+                C2 = v10 + Z1_3 * Y1_2
+                w2 = math.sqrt(S2 * S2 + C2 * C2)
+                free2 = w2 <= free_limit_squared2
+                factor2 = 1.0 / (1.0 if free2 else w2)
+                c2 = math.cos(v11) if free2 else C2 * factor2
+                s2 = math.sin(v11) if free2 else S2 * factor2
+                theta2 = _atan2(s2, c2)
+
+                # joint values
+                q2 = _wrap(theta2 - offset2)
+                q4 = _wrap(theta234 - (q3 + theta2) - offset4)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                status[row] = FREE_JOINT if free1 or free2 or free6 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _attempt(pose, seed, lost, moved, q, status):
+    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+
+    The row and the joint that had been chosen are the two numbers of `lost`.
+    """
+    row, joint = lost
+    for i in range(8):
+        status[i] = UNREACHABLE
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, q, status)
+    seed[joint] = kept
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@_jit
+def _summit(pose, seed, lost, low, high, q, status):
+    """Golden section for a move between low and high that serves; NaN if there is none."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, lost, low + third, q, status)
+        right = _attempt(pose, seed, lost, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
+        else:
+            low += third
+    return math.nan
+
+
+@_jit
+def _serving(pose, seed, lost, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
+    between two of them, bisection the end that is nearest to the seed.
+    """
+    step, nearest = _TURN / 64, math.nan
+    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, lost, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest):
+            nearest = outer
+    return nearest
+
+
+@_jit
+def _serving_digits(pose, seed, lost, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
+    would take its own.
+    """
+    moved = 1e-15
+    while moved < 0.1:
+        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+            return moved
+        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+            return -moved
+        moved *= 2.0
+    return math.nan
+
+
+@_jit
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    nearly = status[row] > _NEARLY
+    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    if nearly:
+        seed[lost[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, lost, trial, result)
+    else:
+        moved = _serving(pose, seed, lost, trial, result)
+    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    status[row] = result[row] if served else UNREACHABLE
+    for i in range(6):
+        q[row, i] = trial[row, i] if served else math.nan
+
+
+@_jit
+def _ik(T, seed, q, status):
+    """All rows into q and status; how many are OK or FREE_JOINT."""
+    valid, pose = _read(T)
+    for row in range(8):
+        status[row] = UNREACHABLE if valid else INVALID_POSE
+        for i in range(6):
+            q[row, i] = math.nan
+    if not valid:
+        return 0
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    if q_seed is None:
+        return _ik(T, _ZEROS, q, status)
+    if q_seed.shape != (6,):
+        raise ValueError("q_seed must be (6,)")
+    if not np.isfinite(q_seed).all():
+        raise ValueError("q_seed must be finite")
+    return _ik(T, q_seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = _array(T, (4, 4), "T")
+    if q_seed is None:
+        ik_into(T, q, status)
+    else:
+        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(6):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(6):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 8) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ik_batch(T, q, status):
+    for k in range(len(T)):
+        _ik(T[k], _ZEROS, q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
+    if shares > 1:
+        parts = (np.array_split(each, shares) for each in (T, q, status))
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(_ik_batch, *parts))
+    else:
+        _ik_batch(T, q, status)
+    return q, status
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
