@@ -1029,15 +1029,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[2464 + k] = Y1
-            work[576 + k] = w3_p
-            work[544 + k] = w3_m
-            work[2784 + k] = v6
-            work[2368 + k] = v7
-            work[960 + k] = v59
-            work[1792 + k] = v60
-            work[608 + k] = v61
-            work[2688 + k] = v62
+            work[1120 + k] = Y1
+            work[2752 + k] = w3_p
+            work[1056 + k] = w3_m
+            work[2240 + k] = v6
+            work[576 + k] = v7
+            work[2656 + k] = v59
+            work[2080 + k] = v60
+            work[1440 + k] = v61
+            work[3040 + k] = v62
             work[3296 + k] = v71
             work[3328 + k] = v72
             work[3360 + k] = doubt
@@ -1082,15 +1082,15 @@ def _in_tiles(T, q, status):
         for k in range(3392, 4000):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            w3_m = work[544 + k]
-            w3_p = work[576 + k]
-            v61 = work[608 + k]
-            v59 = work[960 + k]
-            v60 = work[1792 + k]
-            v7 = work[2368 + k]
-            Y1 = work[2464 + k]
-            v62 = work[2688 + k]
-            v6 = work[2784 + k]
+            v7 = work[576 + k]
+            w3_m = work[1056 + k]
+            Y1 = work[1120 + k]
+            v61 = work[1440 + k]
+            v60 = work[2080 + k]
+            v6 = work[2240 + k]
+            v59 = work[2656 + k]
+            w3_p = work[2752 + k]
+            v62 = work[3040 + k]
             v71 = work[3296 + k]
             v72 = work[3328 + k]
             doubt = work[3360 + k] != 0.0

@@ -699,9 +699,9 @@ def _in_tiles(T, q, status):
             v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
             doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
             work[992 + k] = w1
-            work[832 + k] = q3_ppp
-            work[1024 + k] = Y4
-            work[896 + k] = w4
+            work[928 + k] = q3_ppp
+            work[640 + k] = Y4
+            work[736 + k] = w4
             work[1056 + k] = v10
             work[1152 + k] = doubt
             work[1184 + k] = -T24
@@ -720,10 +720,10 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             T24 = work[224 + k]
-            q3_ppp = work[832 + k]
-            w4 = work[896 + k]
+            Y4 = work[640 + k]
+            w4 = work[736 + k]
+            q3_ppp = work[928 + k]
             w1 = work[992 + k]
-            Y4 = work[1024 + k]
             v10 = work[1056 + k]
             doubt = work[1152 + k] != 0.0
             angle1 = work[1184 + k]

@@ -1248,8 +1248,7 @@ static double serving_value(struct search *lost)
 }
 
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
- * the
- * nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
 static double serving_digits(struct search *lost)
 {

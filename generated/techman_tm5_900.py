@@ -22,7 +22,9 @@ except ImportError:  # plain Python, only slower
         return lambda function: function
 
 
-_jit = njit(cache=True, error_model="numpy")
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "techman_tm5_900"
 METHOD = "closed form"
@@ -78,6 +80,14 @@ k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
+half_turn = 3.141592653589793  # pi [rad]
+low3 = -2.705260341591211  # lowest value of joint 3
+high3 = 2.705260341591211  # highest value of joint 3
+m1 = 1e-24  # free_limit^2
+m2 = 1e-06  # near_limit^2
+m4 = 3.102273232454132e-48  # free_limit_squared2^2 [m^4]
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -94,7 +104,7 @@ class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
 
 
-@_jit
+@njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
     along, across = abs(x), abs(y)
@@ -124,7 +134,7 @@ def _atan2(y, x):
 @_jit
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * math.ceil(angle / _TURN - 0.5)
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -193,6 +203,9 @@ def fk(q):
     T[2, 3] = T34_
     T[3, 3] = 1.0
     return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
 
 
 @_jit
@@ -511,7 +524,7 @@ def _attempt(pose, seed, lost, moved, q, status):
     return -math.inf if status[row] == UNREACHABLE else 0.0
 
 
-@_jit
+@_part
 def _summit(pose, seed, lost, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
@@ -527,7 +540,7 @@ def _summit(pose, seed, lost, low, high, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
@@ -559,7 +572,7 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_jit
+@_part
 def _serving_digits(pose, seed, lost, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
@@ -576,7 +589,7 @@ def _serving_digits(pose, seed, lost, q, status):
     return math.nan
 
 
-@_jit
+@_part
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
@@ -597,15 +610,12 @@ def _choose_again(pose, given, row, q, status):
 
 
 @_jit
-def _ik(T, seed, q, status):
-    """All rows into q and status; how many are OK or FREE_JOINT."""
-    valid, pose = _read(T)
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
-        status[row] = UNREACHABLE if valid else INVALID_POSE
+        status[row] = UNREACHABLE
         for i in range(6):
             q[row, i] = math.nan
-    if not valid:
-        return 0
     _solve(pose, seed, q, status)
     count = 0
     for row in range(8):
@@ -621,6 +631,304 @@ def _ik(T, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_jit
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    X1 = d6 * T13 - T14
+    wy = T24 - d6 * T23
+    N1 = X1 * X1 + wy * wy
+    D1 = N1 - k1
+    free1 = N1 <= free_limit_squared2
+    w1 = math.sqrt(D1)
+    inverse1 = 1.0 / N1
+    v1 = d3 * X1
+    v2 = d3 * wy
+    v3 = X1 * w1
+    v4 = v2 - v3
+    v5 = v2 + v3
+    c1_p = inverse1 * v4
+    c1_m = inverse1 * v5
+    v6 = wy * w1
+    v7 = v1 + v6
+    v8 = v1 - v6
+    s1_p = inverse1 * v7
+    s1_m = inverse1 * v8
+
+    # theta6, type 2: U1 A6^-1 [3, 2]
+    X6_p = c1_p * T21 - s1_p * T11
+    X6_m = c1_m * T21 - s1_m * T11
+    Y6_p = c1_p * T22 - s1_p * T12
+    Y6_m = c1_m * T22 - s1_m * T12
+    v9 = X6_p * X6_p + Y6_p * Y6_p
+    v10 = X6_m * X6_m + Y6_m * Y6_m
+    w6_p = math.sqrt(v9)
+    w6_m = math.sqrt(v10)
+    factor6_p = 1.0 / w6_p
+    factor6_m = 1.0 / w6_m
+    v11 = X6_p * factor6_p
+    v12 = X6_m * factor6_m
+    s6_p = Y6_p * factor6_p
+    s6_m = Y6_m * factor6_m
+    angle1 = _atan2(Y6_p, -X6_p)
+    angle1_ = _atan2(Y6_m, -X6_m)
+
+    # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
+    c5_p = T23 * c1_p - T13 * s1_p
+    c5_m = T23 * c1_m - T13 * s1_m
+    angle1__ = _atan2(w6_p, c5_p)
+    angle1___ = _atan2(w6_m, c5_m)
+
+    # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
+    Z1_234_p = s6_p * T31 - v11 * T32
+    Z1_234_m = s6_m * T31 - v12 * T32
+    s234_p = w6_p * T33 - c5_p * (v11 * T31 + s6_p * T32)
+    s234_m = w6_m * T33 - c5_m * (v12 * T31 + s6_m * T32)
+    angle1____ = _atan2(s234_p, -Z1_234_p)
+    angle1_____ = _atan2(s234_m, -Z1_234_m)
+    theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
+    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    v13 = d6 * w6_p
+    v14 = d6 * w6_m
+    v15 = T34 - d1
+    v16 = d5 * Z1_234_p
+    v17 = d5 * Z1_234_m
+    v18 = s234_p * v13
+    v19 = s234_m * v14
+    Z1_3_pp = v15 - (v16 + v18)
+    Z1_3_pm = v15 - (v18 - v16)
+    Z1_3_mp = v15 - (v17 + v19)
+    Z1_3_mm = v15 - (v19 - v17)
+    v20 = T14 * c1_p + T24 * s1_p
+    v21 = T14 * c1_m + T24 * s1_m
+    v22 = Z1_234_p * v13
+    v23 = Z1_234_m * v14
+    v24 = d5 * s234_p
+    v25 = d5 * s234_m
+    Z2_3_pp = v20 + (v22 - v24)
+    Z2_3_pm = v20 + (v22 + v24)
+    Z2_3_mp = v21 + (v23 - v25)
+    Z2_3_mm = v21 + (v23 + v25)
+    N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+    N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
+    N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+    N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
+    K3_pp = N3_pp - k4
+    K3_pm = N3_pm - k4
+    K3_mp = N3_mp - k4
+    K3_mm = N3_mm - k4
+    w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
+    w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
+    w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
+    w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+    v26 = w3_pp - w3_pp
+    v27 = w3_pm - w3_pm
+    v28 = w3_mp - w3_mp
+    v29 = w3_mm - w3_mm
+    angle1______ = _atan2(w3_pp, K3_pp)
+    angle1_______ = _atan2(w3_pm, K3_pm)
+    angle1________ = _atan2(w3_mp, K3_mp)
+    angle1_________ = _atan2(w3_mm, K3_mm)
+
+    # theta2, type 3: U1[2, 4] and U1[1, 4]
+    X1_2_pp = a2 + a3 * (k5 * K3_pp)
+    X1_2_pm = a2 + a3 * (k5 * K3_pm)
+    X1_2_mp = a2 + a3 * (k5 * K3_mp)
+    X1_2_mm = a2 + a3 * (k5 * K3_mm)
+    Y1_2_pp = a3 * (k5 * w3_pp)
+    Y1_2_pm = a3 * (k5 * w3_pm)
+    Y1_2_mp = a3 * (k5 * w3_mp)
+    Y1_2_mm = a3 * (k5 * w3_mm)
+    v30 = Z1_3_pp * X1_2_pp
+    v31 = Z1_3_pm * X1_2_pm
+    v32 = Z1_3_mp * X1_2_mp
+    v33 = Z1_3_mm * X1_2_mm
+    v34 = Z2_3_pp * Y1_2_pp
+    v35 = Z2_3_pm * Y1_2_pm
+    v36 = Z2_3_mp * Y1_2_mp
+    v37 = Z2_3_mm * Y1_2_mm
+    S2_ppp = v30 - v34
+    S2_ppm = v30 + v34
+    S2_pmp = v31 - v35
+    S2_pmm = v31 + v35
+    S2_mpp = v32 - v36
+    S2_mpm = v32 + v36
+    S2_mmp = v33 - v37
+    S2_mmm = v33 + v37
+    v38 = Z2_3_pp * X1_2_pp
+    v39 = Z2_3_pm * X1_2_pm
+    v40 = Z2_3_mp * X1_2_mp
+    v41 = Z2_3_mm * X1_2_mm
+    v42 = Z1_3_pp * Y1_2_pp
+    v43 = Z1_3_pm * Y1_2_pm
+    v44 = Z1_3_mp * Y1_2_mp
+    v45 = Z1_3_mm * Y1_2_mm
+    C2_ppp = v38 + v42
+    C2_ppm = v38 - v42
+    C2_pmp = v39 + v43
+    C2_pmm = v39 - v43
+    C2_mpp = v40 + v44
+    C2_mpm = v40 - v44
+    C2_mmp = v41 + v45
+    C2_mmm = v41 - v45
+    angle1__________ = _atan2(S2_ppp, C2_ppp)
+    angle1___________ = _atan2(S2_ppm, C2_ppm)
+    angle1____________ = _atan2(S2_pmp, C2_pmp)
+    angle1_____________ = _atan2(S2_pmm, C2_pmm)
+    angle1______________ = _atan2(S2_mpp, C2_mpp)
+    angle1_______________ = _atan2(S2_mpm, C2_mpm)
+    angle1________________ = _atan2(S2_mmp, C2_mmp)
+    angle1_________________ = _atan2(S2_mmm, C2_mmm)
+
+    # joint values
+    angle1__________________ = _atan2(v7, v4)
+    v46 = angle1__________________ - offset1
+    angle1___________________ = _atan2(v8, v5)
+    v47 = angle1___________________ - offset1
+    q1__p = v46 + (m5 if v46 <= -half_turn else 0.0)
+    q1__m = v47 + (m5 if v47 <= -half_turn else 0.0)
+    v48 = angle1__________ - offset2
+    v49 = angle1___________ - offset2
+    v50 = angle1____________ - offset2
+    v51 = angle1_____________ - offset2
+    v52 = angle1______________ - offset2
+    v53 = angle1_______________ - offset2
+    v54 = angle1________________ - offset2
+    v55 = angle1_________________ - offset2
+    q2_ppp = v48 + (m5 if v48 <= -half_turn else 0.0)
+    q2_ppm = v49 + (m5 if v49 <= -half_turn else 0.0)
+    q2_pmp = v50 + (m5 if v50 <= -half_turn else 0.0)
+    q2_pmm = v51 + (m5 if v51 <= -half_turn else 0.0)
+    q2_mpp = v52 + (m5 if v52 <= -half_turn else 0.0)
+    q2_mpm = v53 + (m5 if v53 <= -half_turn else 0.0)
+    q2_mmp = v54 + (m5 if v54 <= -half_turn else 0.0)
+    q2_mmm = v55 + (m5 if v55 <= -half_turn else 0.0)
+    v56 = angle1____ - (angle1______ + angle1__________) - offset4
+    v57 = angle1____ - (angle1___________ - angle1______) - offset4
+    v58 = theta234_pm - (angle1_______ + angle1____________) - offset4
+    v59 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+    v60 = angle1_____ - (angle1________ + angle1______________) - offset4
+    v61 = angle1_____ - (angle1_______________ - angle1________) - offset4
+    v62 = theta234_mm - (angle1_________ + angle1________________) - offset4
+    v63 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+    v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+    v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+    v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+    v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+    v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+    v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+    v70 = v62 - (m5 if half_turn < v62 else 0.0) + (m5 if v62 <= -half_turn else 0.0)
+    v71 = v63 - (m5 if half_turn < v63 else 0.0) + (m5 if v63 <= -half_turn else 0.0)
+    q4_ppp = v64 + (m5 if v64 <= -half_turn else 0.0)
+    q4_ppm = v65 + (m5 if v65 <= -half_turn else 0.0)
+    q4_pmp = v66 + (m5 if v66 <= -half_turn else 0.0)
+    q4_pmm = v67 + (m5 if v67 <= -half_turn else 0.0)
+    q4_mpp = v68 + (m5 if v68 <= -half_turn else 0.0)
+    q4_mpm = v69 + (m5 if v69 <= -half_turn else 0.0)
+    q4_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
+    q4_mmm = v71 + (m5 if v71 <= -half_turn else 0.0)
+    outside_ppp = angle1______ < low3 or high3 < angle1______
+    outside_ppm = -angle1______ < low3 or high3 < -angle1______
+    outside_pmp = angle1_______ < low3 or high3 < angle1_______
+    outside_pmm = -angle1_______ < low3 or high3 < -angle1_______
+    outside_mpp = angle1________ < low3 or high3 < angle1________
+    outside_mpm = -angle1________ < low3 or high3 < -angle1________
+    outside_mmp = angle1_________ < low3 or high3 < angle1_________
+    outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
+    q1_ppp = v26 + q1__p
+    q1_pmp = v27 + q1__p
+    q1_mpp = v28 + q1__m
+    q1_mmp = v29 + q1__m
+    q5_ppp = angle1__ + v26
+    q5_pmp = v27 - angle1__
+    q5_mpp = angle1___ + v28
+    q5_mmp = v29 - angle1___
+    q6_ppp = angle1 + v26
+    q6_pmp = v27 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+    q6_mpp = angle1_ + v28
+    q6_mmp = v29 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+    doubt = (
+        S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4 or
+        (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <= m4 or
+        (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp <= m4 or
+        (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp * C2_ppp <= m4 or
+        (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not (shortest3_apart < N3_mm and
+        N3_mm < longest3_apart) or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not
+        (shortest3_apart < N3_mp and N3_mp < longest3_apart) or (shortest3_reach <= N3_pm and N3_pm
+        <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and
+        N3_pp < longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
+        (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = angle1______
+    q[0, 3] = q4_ppp
+    q[0, 4] = q5_ppp
+    q[0, 5] = q6_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppm
+    q[1, 2] = -angle1______
+    q[1, 3] = q4_ppm
+    q[1, 4] = q5_ppp
+    q[1, 5] = q6_ppp
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_pmp
+    q[2, 1] = q2_pmp
+    q[2, 2] = angle1_______
+    q[2, 3] = q4_pmp
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_pmp
+    q[3, 1] = q2_pmm
+    q[3, 2] = -angle1_______
+    q[3, 3] = q4_pmm
+    q[3, 4] = q5_pmp
+    q[3, 5] = q6_pmp
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = angle1________
+    q[4, 3] = q4_mpp
+    q[4, 4] = q5_mpp
+    q[4, 5] = q6_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpm
+    q[5, 2] = -angle1________
+    q[5, 3] = q4_mpm
+    q[5, 4] = q5_mpp
+    q[5, 5] = q6_mpp
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mmp
+    q[6, 1] = q2_mmp
+    q[6, 2] = angle1_________
+    q[6, 3] = q4_mmp
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mmp
+    q[7, 1] = q2_mmm
+    q[7, 2] = -angle1_________
+    q[7, 3] = q4_mmm
+    q[7, 4] = q5_mmp
+    q[7, 5] = q6_mmp
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
 
 
 @_jit
@@ -644,13 +952,23 @@ def ik_into(T, q, status, q_seed=None):
     """
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    if q_seed is None:
-        return _ik(T, _ZEROS, q, status)
-    if q_seed.shape != (6,):
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
-    if not np.isfinite(q_seed).all():
-        raise ValueError("q_seed must be finite")
-    return _ik(T, q_seed, q, status)
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -667,10 +985,8 @@ def ik_all(T, q_seed=None):
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     T = _array(T, (4, 4), "T")
-    if q_seed is None:
-        ik_into(T, q, status)
-    else:
-        ik_into(T, q, status, _array(q_seed, (6,), "q_seed"))
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
     return q, status
 
 
@@ -730,10 +1046,454 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _ik_batch(T, q, status):
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
     for k in range(len(T)):
-        _ik(T[k], _ZEROS, q[k], status[k])
+        ik_into(T[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [7680, 7712, 7744, 7776, 7808, 7840],
+    [7680, 7872, 7904, 7936, 7808, 7840],
+    [7968, 8000, 8032, 8064, 8096, 8128],
+    [7968, 8160, 8192, 8224, 8096, 8128],
+    [8256, 8288, 8320, 8352, 8384, 8416],
+    [8256, 8448, 8480, 8512, 8384, 8416],
+    [8544, 8576, 8608, 8640, 8672, 8704],
+    [8544, 8736, 8768, 8800, 8672, 8704],
+])
+_KINDS = np.array([8832, 8864, 8896, 8928, 8960, 8992, 9024, 9056])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(9088)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            X1 = d6 * T13 - T14
+            wy = T24 - d6 * T23
+            N1 = X1 * X1 + wy * wy
+            D1 = N1 - k1
+            free1 = N1 <= free_limit_squared2
+            w1 = math.sqrt(D1)
+            inverse1 = 1.0 / N1
+            v1 = d3 * X1
+            v2 = d3 * wy
+            v3 = X1 * w1
+            v4 = v2 - v3
+            v5 = v2 + v3
+            c1_p = inverse1 * v4
+            c1_m = inverse1 * v5
+            v6 = wy * w1
+            v7 = v1 + v6
+            v8 = v1 - v6
+            s1_p = inverse1 * v7
+            s1_m = inverse1 * v8
+            X6_p = c1_p * T21 - s1_p * T11
+            X6_m = c1_m * T21 - s1_m * T11
+            Y6_p = c1_p * T22 - s1_p * T12
+            Y6_m = c1_m * T22 - s1_m * T12
+            v9 = X6_p * X6_p + Y6_p * Y6_p
+            v10 = X6_m * X6_m + Y6_m * Y6_m
+            w6_p = math.sqrt(v9)
+            w6_m = math.sqrt(v10)
+            factor6_p = 1.0 / w6_p
+            factor6_m = 1.0 / w6_m
+            v11 = X6_p * factor6_p
+            v12 = X6_m * factor6_m
+            s6_p = Y6_p * factor6_p
+            s6_m = Y6_m * factor6_m
+            c5_p = T23 * c1_p - T13 * s1_p
+            c5_m = T23 * c1_m - T13 * s1_m
+            Z1_234_p = s6_p * T31 - v11 * T32
+            Z1_234_m = s6_m * T31 - v12 * T32
+            s234_p = w6_p * T33 - c5_p * (v11 * T31 + s6_p * T32)
+            s234_m = w6_m * T33 - c5_m * (v12 * T31 + s6_m * T32)
+            v13 = d6 * w6_p
+            v14 = d6 * w6_m
+            v15 = T34 - d1
+            v16 = d5 * Z1_234_p
+            v17 = d5 * Z1_234_m
+            v18 = s234_p * v13
+            v19 = s234_m * v14
+            Z1_3_pp = v15 - (v16 + v18)
+            Z1_3_pm = v15 - (v18 - v16)
+            Z1_3_mp = v15 - (v17 + v19)
+            Z1_3_mm = v15 - (v19 - v17)
+            v20 = T14 * c1_p + T24 * s1_p
+            v21 = T14 * c1_m + T24 * s1_m
+            v22 = Z1_234_p * v13
+            v23 = Z1_234_m * v14
+            v24 = d5 * s234_p
+            v25 = d5 * s234_m
+            Z2_3_pp = v20 + (v22 - v24)
+            Z2_3_pm = v20 + (v22 + v24)
+            Z2_3_mp = v21 + (v23 - v25)
+            Z2_3_mm = v21 + (v23 + v25)
+            N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
+            N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
+            N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
+            N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
+            K3_pp = N3_pp - k4
+            K3_pm = N3_pm - k4
+            K3_mp = N3_mp - k4
+            K3_mm = N3_mm - k4
+            w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
+            w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
+            w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
+            w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
+            v26 = w3_pp - w3_pp
+            v27 = w3_pm - w3_pm
+            v28 = w3_mp - w3_mp
+            v29 = w3_mm - w3_mm
+            X1_2_pp = a2 + a3 * (k5 * K3_pp)
+            X1_2_pm = a2 + a3 * (k5 * K3_pm)
+            X1_2_mp = a2 + a3 * (k5 * K3_mp)
+            X1_2_mm = a2 + a3 * (k5 * K3_mm)
+            Y1_2_pp = a3 * (k5 * w3_pp)
+            Y1_2_pm = a3 * (k5 * w3_pm)
+            Y1_2_mp = a3 * (k5 * w3_mp)
+            Y1_2_mm = a3 * (k5 * w3_mm)
+            v30 = Z1_3_pp * X1_2_pp
+            v31 = Z1_3_pm * X1_2_pm
+            v32 = Z1_3_mp * X1_2_mp
+            v33 = Z1_3_mm * X1_2_mm
+            v34 = Z2_3_pp * Y1_2_pp
+            v35 = Z2_3_pm * Y1_2_pm
+            v36 = Z2_3_mp * Y1_2_mp
+            v37 = Z2_3_mm * Y1_2_mm
+            S2_ppp = v30 - v34
+            S2_ppm = v30 + v34
+            S2_pmp = v31 - v35
+            S2_pmm = v31 + v35
+            S2_mpp = v32 - v36
+            S2_mpm = v32 + v36
+            S2_mmp = v33 - v37
+            S2_mmm = v33 + v37
+            v38 = Z2_3_pp * X1_2_pp
+            v39 = Z2_3_pm * X1_2_pm
+            v40 = Z2_3_mp * X1_2_mp
+            v41 = Z2_3_mm * X1_2_mm
+            v42 = Z1_3_pp * Y1_2_pp
+            v43 = Z1_3_pm * Y1_2_pm
+            v44 = Z1_3_mp * Y1_2_mp
+            v45 = Z1_3_mm * Y1_2_mm
+            C2_ppp = v38 + v42
+            C2_ppm = v38 - v42
+            C2_pmp = v39 + v43
+            C2_pmm = v39 - v43
+            C2_mpp = v40 + v44
+            C2_mpm = v40 - v44
+            C2_mmp = v41 + v45
+            C2_mmm = v41 - v45
+            doubt = (
+                S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4
+                or (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <=
+                m4 or (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp
+                <= m4 or (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp *
+                C2_ppp <= m4 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not
+                (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (shortest3_reach <= N3_mp
+                and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and N3_mp <
+                longest3_apart) or (shortest3_reach <= N3_pm and N3_pm <= longest3_reach and not
+                (shortest3_apart < N3_pm and N3_pm < longest3_apart) or (shortest3_reach <= N3_pp
+                and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and N3_pp <
+                longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
+                (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
+            )
+            work[2048 + k] = Y6_p
+            work[3520 + k] = Y6_m
+            work[3200 + k] = s234_p
+            work[3424 + k] = s234_m
+            work[4128 + k] = v26
+            work[4160 + k] = v27
+            work[4192 + k] = v28
+            work[4224 + k] = v29
+            work[4256 + k] = doubt
+            work[4288 + k] = Y6_p
+            work[4320 + k] = Y6_m
+            work[4352 + k] = w6_p
+            work[4384 + k] = w6_m
+            work[4416 + k] = s234_p
+            work[4448 + k] = s234_m
+            work[4480 + k] = w3_pp
+            work[4512 + k] = w3_pm
+            work[4544 + k] = w3_mp
+            work[4576 + k] = w3_mm
+            work[4608 + k] = S2_ppp
+            work[4640 + k] = S2_ppm
+            work[4672 + k] = S2_pmp
+            work[4704 + k] = S2_pmm
+            work[4736 + k] = S2_mpp
+            work[4768 + k] = S2_mpm
+            work[4800 + k] = S2_mmp
+            work[4832 + k] = S2_mmm
+            work[4864 + k] = v7
+            work[4896 + k] = v8
+            work[4928 + k] = -X6_p
+            work[4960 + k] = -X6_m
+            work[4992 + k] = c5_p
+            work[5024 + k] = c5_m
+            work[5056 + k] = -Z1_234_p
+            work[5088 + k] = -Z1_234_m
+            work[5120 + k] = K3_pp
+            work[5152 + k] = K3_pm
+            work[5184 + k] = K3_mp
+            work[5216 + k] = K3_mm
+            work[5248 + k] = C2_ppp
+            work[5280 + k] = C2_ppm
+            work[5312 + k] = C2_pmp
+            work[5344 + k] = C2_pmm
+            work[5376 + k] = C2_mpp
+            work[5408 + k] = C2_mpm
+            work[5440 + k] = C2_mmp
+            work[5472 + k] = C2_mmm
+            work[5504 + k] = v4
+            work[5536 + k] = v5
+        for k in range(4288, 4928):
+            work[k] = _atan2(work[k], work[k + 640])
+        for k in range(0, 32):
+            Y6_p = work[2048 + k]
+            s234_p = work[3200 + k]
+            s234_m = work[3424 + k]
+            Y6_m = work[3520 + k]
+            v26 = work[4128 + k]
+            v27 = work[4160 + k]
+            v28 = work[4192 + k]
+            v29 = work[4224 + k]
+            doubt = work[4256 + k] != 0.0
+            angle1 = work[4288 + k]
+            angle1_ = work[4320 + k]
+            angle1__ = work[4352 + k]
+            angle1___ = work[4384 + k]
+            angle1____ = work[4416 + k]
+            angle1_____ = work[4448 + k]
+            angle1______ = work[4480 + k]
+            angle1_______ = work[4512 + k]
+            angle1________ = work[4544 + k]
+            angle1_________ = work[4576 + k]
+            angle1__________ = work[4608 + k]
+            angle1___________ = work[4640 + k]
+            angle1____________ = work[4672 + k]
+            angle1_____________ = work[4704 + k]
+            angle1______________ = work[4736 + k]
+            angle1_______________ = work[4768 + k]
+            angle1________________ = work[4800 + k]
+            angle1_________________ = work[4832 + k]
+            angle1__________________ = work[4864 + k]
+            angle1___________________ = work[4896 + k]
+            theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
+            theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
+            v46 = angle1__________________ - offset1
+            v47 = angle1___________________ - offset1
+            q1__p = v46 + (m5 if v46 <= -half_turn else 0.0)
+            q1__m = v47 + (m5 if v47 <= -half_turn else 0.0)
+            v48 = angle1__________ - offset2
+            v49 = angle1___________ - offset2
+            v50 = angle1____________ - offset2
+            v51 = angle1_____________ - offset2
+            v52 = angle1______________ - offset2
+            v53 = angle1_______________ - offset2
+            v54 = angle1________________ - offset2
+            v55 = angle1_________________ - offset2
+            q2_ppp = v48 + (m5 if v48 <= -half_turn else 0.0)
+            q2_ppm = v49 + (m5 if v49 <= -half_turn else 0.0)
+            q2_pmp = v50 + (m5 if v50 <= -half_turn else 0.0)
+            q2_pmm = v51 + (m5 if v51 <= -half_turn else 0.0)
+            q2_mpp = v52 + (m5 if v52 <= -half_turn else 0.0)
+            q2_mpm = v53 + (m5 if v53 <= -half_turn else 0.0)
+            q2_mmp = v54 + (m5 if v54 <= -half_turn else 0.0)
+            q2_mmm = v55 + (m5 if v55 <= -half_turn else 0.0)
+            v56 = angle1____ - (angle1______ + angle1__________) - offset4
+            v57 = angle1____ - (angle1___________ - angle1______) - offset4
+            v58 = theta234_pm - (angle1_______ + angle1____________) - offset4
+            v59 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+            v60 = angle1_____ - (angle1________ + angle1______________) - offset4
+            v61 = angle1_____ - (angle1_______________ - angle1________) - offset4
+            v62 = theta234_mm - (angle1_________ + angle1________________) - offset4
+            v63 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+            v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+            v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+            v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+            v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+            v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+            v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+            v70 = v62 - (m5 if half_turn < v62 else 0.0) + (m5 if v62 <= -half_turn else 0.0)
+            v71 = v63 - (m5 if half_turn < v63 else 0.0) + (m5 if v63 <= -half_turn else 0.0)
+            q4_ppp = v64 + (m5 if v64 <= -half_turn else 0.0)
+            q4_ppm = v65 + (m5 if v65 <= -half_turn else 0.0)
+            q4_pmp = v66 + (m5 if v66 <= -half_turn else 0.0)
+            q4_pmm = v67 + (m5 if v67 <= -half_turn else 0.0)
+            q4_mpp = v68 + (m5 if v68 <= -half_turn else 0.0)
+            q4_mpm = v69 + (m5 if v69 <= -half_turn else 0.0)
+            q4_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
+            q4_mmm = v71 + (m5 if v71 <= -half_turn else 0.0)
+            outside_ppp = angle1______ < low3 or high3 < angle1______
+            outside_ppm = -angle1______ < low3 or high3 < -angle1______
+            outside_pmp = angle1_______ < low3 or high3 < angle1_______
+            outside_pmm = -angle1_______ < low3 or high3 < -angle1_______
+            outside_mpp = angle1________ < low3 or high3 < angle1________
+            outside_mpm = -angle1________ < low3 or high3 < -angle1________
+            outside_mmp = angle1_________ < low3 or high3 < angle1_________
+            outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
+            q1_ppp = v26 + q1__p
+            q1_pmp = v27 + q1__p
+            q1_mpp = v28 + q1__m
+            q1_mmp = v29 + q1__m
+            q5_ppp = angle1__ + v26
+            q5_pmp = v27 - angle1__
+            q5_mpp = angle1___ + v28
+            q5_mmp = v29 - angle1___
+            q6_ppp = angle1 + v26
+            q6_pmp = v27 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+            q6_mpp = angle1_ + v28
+            q6_mmp = v29 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+            _7680 = q1_ppp
+            work[7680 + k] = _7680
+            _7712 = q2_ppp
+            work[7712 + k] = _7712
+            _7744 = angle1______
+            work[7744 + k] = _7744
+            _7776 = q4_ppp
+            work[7776 + k] = _7776
+            _7808 = q5_ppp
+            work[7808 + k] = _7808
+            _7840 = q6_ppp
+            work[7840 + k] = _7840
+            _7872 = q2_ppm
+            work[7872 + k] = _7872
+            _7904 = -angle1______
+            work[7904 + k] = _7904
+            _7936 = q4_ppm
+            work[7936 + k] = _7936
+            _7968 = q1_pmp
+            work[7968 + k] = _7968
+            _8000 = q2_pmp
+            work[8000 + k] = _8000
+            _8032 = angle1_______
+            work[8032 + k] = _8032
+            _8064 = q4_pmp
+            work[8064 + k] = _8064
+            _8096 = q5_pmp
+            work[8096 + k] = _8096
+            _8128 = q6_pmp
+            work[8128 + k] = _8128
+            _8160 = q2_pmm
+            work[8160 + k] = _8160
+            _8192 = -angle1_______
+            work[8192 + k] = _8192
+            _8224 = q4_pmm
+            work[8224 + k] = _8224
+            _8256 = q1_mpp
+            work[8256 + k] = _8256
+            _8288 = q2_mpp
+            work[8288 + k] = _8288
+            _8320 = angle1________
+            work[8320 + k] = _8320
+            _8352 = q4_mpp
+            work[8352 + k] = _8352
+            _8384 = q5_mpp
+            work[8384 + k] = _8384
+            _8416 = q6_mpp
+            work[8416 + k] = _8416
+            _8448 = q2_mpm
+            work[8448 + k] = _8448
+            _8480 = -angle1________
+            work[8480 + k] = _8480
+            _8512 = q4_mpm
+            work[8512 + k] = _8512
+            _8544 = q1_mmp
+            work[8544 + k] = _8544
+            _8576 = q2_mmp
+            work[8576 + k] = _8576
+            _8608 = angle1_________
+            work[8608 + k] = _8608
+            _8640 = q4_mmp
+            work[8640 + k] = _8640
+            _8672 = q5_mmp
+            work[8672 + k] = _8672
+            _8704 = q6_mmp
+            work[8704 + k] = _8704
+            _8736 = q2_mmm
+            work[8736 + k] = _8736
+            _8768 = -angle1_________
+            work[8768 + k] = _8768
+            _8800 = q4_mmm
+            work[8800 + k] = _8800
+            work[8832 + k] = (
+                UNREACHABLE if _7680 != _7680 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[8864 + k] = (
+                UNREACHABLE if _7680 != _7680 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[8896 + k] = (
+                UNREACHABLE if _7968 != _7968 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[8928 + k] = (
+                UNREACHABLE if _7968 != _7968 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[8960 + k] = (
+                UNREACHABLE if _8256 != _8256 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[8992 + k] = (
+                UNREACHABLE if _8256 != _8256 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[9024 + k] = (
+                UNREACHABLE if _8544 != _8544 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[9056 + k] = (
+                UNREACHABLE if _8544 != _8544 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[512 + k] = 1.0 if doubt else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(6):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
 def ik_batch(T, *, cores=None):
@@ -744,14 +1504,23 @@ def ik_batch(T, *, cores=None):
     """
     T = _array(T, (len(T), 4, 4), "T")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    shares = min(cores or os.cpu_count() or 1, len(T) // 2048)
-    if shares > 1:
-        parts = (np.array_split(each, shares) for each in (T, q, status))
-        with ThreadPoolExecutor(shares) as threads:
-            list(threads.map(_ik_batch, *parts))
-    else:
-        _ik_batch(T, q, status)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
 
 
 def _array(values, shape, name):
