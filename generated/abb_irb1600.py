@@ -1029,14 +1029,14 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[1120 + k] = Y1
-            work[2752 + k] = w3_p
-            work[1056 + k] = w3_m
-            work[2240 + k] = v6
-            work[576 + k] = v7
-            work[2656 + k] = v59
-            work[2080 + k] = v60
-            work[1440 + k] = v61
+            work[3072 + k] = Y1
+            work[2336 + k] = w3_p
+            work[2496 + k] = w3_m
+            work[3168 + k] = v6
+            work[864 + k] = v7
+            work[3232 + k] = v59
+            work[2144 + k] = v60
+            work[2400 + k] = v61
             work[3040 + k] = v62
             work[3296 + k] = v71
             work[3328 + k] = v72
@@ -1082,15 +1082,15 @@ def _in_tiles(T, q, status):
         for k in range(3392, 4000):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v7 = work[576 + k]
-            w3_m = work[1056 + k]
-            Y1 = work[1120 + k]
-            v61 = work[1440 + k]
-            v60 = work[2080 + k]
-            v6 = work[2240 + k]
-            v59 = work[2656 + k]
-            w3_p = work[2752 + k]
+            v7 = work[864 + k]
+            v60 = work[2144 + k]
+            w3_p = work[2336 + k]
+            v61 = work[2400 + k]
+            w3_m = work[2496 + k]
             v62 = work[3040 + k]
+            Y1 = work[3072 + k]
+            v6 = work[3168 + k]
+            v59 = work[3232 + k]
             v71 = work[3296 + k]
             v72 = work[3328 + k]
             doubt = work[3360 + k] != 0.0

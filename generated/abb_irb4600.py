@@ -1018,15 +1018,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[1216 + k] = Y1
-            work[2784 + k] = w3_p
-            work[1184 + k] = w3_m
+            work[3328 + k] = Y1
+            work[2720 + k] = w3_p
+            work[2912 + k] = w3_m
             work[3488 + k] = v39
             work[3520 + k] = v40
-            work[1952 + k] = v45
-            work[2240 + k] = v46
-            work[2912 + k] = v47
-            work[1856 + k] = v48
+            work[2560 + k] = v45
+            work[3424 + k] = v46
+            work[2848 + k] = v47
+            work[2464 + k] = v48
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1069,13 +1069,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            w3_m = work[1184 + k]
-            Y1 = work[1216 + k]
-            v48 = work[1856 + k]
-            v45 = work[1952 + k]
-            v46 = work[2240 + k]
-            w3_p = work[2784 + k]
-            v47 = work[2912 + k]
+            v48 = work[2464 + k]
+            v45 = work[2560 + k]
+            w3_p = work[2720 + k]
+            v47 = work[2848 + k]
+            w3_m = work[2912 + k]
+            Y1 = work[3328 + k]
+            v46 = work[3424 + k]
             v39 = work[3488 + k]
             v40 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

@@ -1061,15 +1061,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[1216 + k] = Y1
-            work[2816 + k] = w3_p
-            work[1184 + k] = w3_m
+            work[3296 + k] = Y1
+            work[2592 + k] = w3_p
+            work[2784 + k] = w3_m
             work[3488 + k] = v44
             work[3520 + k] = v45
-            work[576 + k] = v50
-            work[1728 + k] = v51
-            work[1760 + k] = v52
-            work[2368 + k] = v53
+            work[3200 + k] = v50
+            work[3232 + k] = v51
+            work[1600 + k] = v52
+            work[1568 + k] = v53
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1112,13 +1112,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v50 = work[576 + k]
-            w3_m = work[1184 + k]
-            Y1 = work[1216 + k]
-            v51 = work[1728 + k]
-            v52 = work[1760 + k]
-            v53 = work[2368 + k]
-            w3_p = work[2816 + k]
+            v53 = work[1568 + k]
+            v52 = work[1600 + k]
+            w3_p = work[2592 + k]
+            w3_m = work[2784 + k]
+            v50 = work[3200 + k]
+            v51 = work[3232 + k]
+            Y1 = work[3296 + k]
             v44 = work[3488 + k]
             v45 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

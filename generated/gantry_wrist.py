@@ -542,7 +542,7 @@ def _in_tiles(T, q, status):
             work[640 + k] = q1_p
             work[672 + k] = q3_p
             work[704 + k] = doubt
-            work[544 + k] = v2
+            work[576 + k] = v2
             work[736 + k] = T23
             work[768 + k] = -math.sqrt(v1)
             work[800 + k] = v2
@@ -553,7 +553,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T23 = work[192 + k]
-            v2 = work[544 + k]
+            v2 = work[576 + k]
             q2_p = work[608 + k]
             q1_p = work[640 + k]
             q3_p = work[672 + k]

@@ -1025,15 +1025,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[1216 + k] = Y1
-            work[2816 + k] = w3_p
-            work[1184 + k] = w3_m
+            work[3296 + k] = Y1
+            work[2592 + k] = w3_p
+            work[2784 + k] = w3_m
             work[3488 + k] = v42
             work[3520 + k] = v43
-            work[1888 + k] = v48
-            work[1312 + k] = v49
-            work[576 + k] = v50
-            work[1728 + k] = v51
+            work[2368 + k] = v48
+            work[2176 + k] = v49
+            work[3200 + k] = v50
+            work[3232 + k] = v51
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = Y4
@@ -1076,13 +1076,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v50 = work[576 + k]
-            w3_m = work[1184 + k]
-            Y1 = work[1216 + k]
-            v49 = work[1312 + k]
-            v51 = work[1728 + k]
-            v48 = work[1888 + k]
-            w3_p = work[2816 + k]
+            v49 = work[2176 + k]
+            v48 = work[2368 + k]
+            w3_p = work[2592 + k]
+            w3_m = work[2784 + k]
+            v50 = work[3200 + k]
+            v51 = work[3232 + k]
+            Y1 = work[3296 + k]
             v42 = work[3488 + k]
             v43 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

@@ -430,7 +430,7 @@ def _in_tiles(T, q, status):
             q1_m = k7 * (v1 - w2)
             work[800 + k] = doubt
             work[608 + k] = q1_p
-            work[576 + k] = q1_m
+            work[640 + k] = q1_m
             work[832 + k] = V1_2 - k2 * q1_p
             work[864 + k] = V1_2 - k2 * q1_m
             work[896 + k] = V2_2 - k3 * q1_p
@@ -438,8 +438,8 @@ def _in_tiles(T, q, status):
         for k in range(832, 896):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            q1_m = work[576 + k]
             q1_p = work[608 + k]
+            q1_m = work[640 + k]
             doubt = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]

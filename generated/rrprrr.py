@@ -699,10 +699,10 @@ def _in_tiles(T, q, status):
             v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
             doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
             work[992 + k] = w1
-            work[928 + k] = q3_ppp
-            work[640 + k] = Y4
-            work[736 + k] = w4
-            work[1056 + k] = v10
+            work[1024 + k] = q3_ppp
+            work[864 + k] = Y4
+            work[1120 + k] = w4
+            work[896 + k] = v10
             work[1152 + k] = doubt
             work[1184 + k] = -T24
             work[1216 + k] = -w1
@@ -720,11 +720,11 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Y4 = work[640 + k]
-            w4 = work[736 + k]
-            q3_ppp = work[928 + k]
+            Y4 = work[864 + k]
+            v10 = work[896 + k]
             w1 = work[992 + k]
-            v10 = work[1056 + k]
+            q3_ppp = work[1024 + k]
+            w4 = work[1120 + k]
             doubt = work[1152 + k] != 0.0
             angle1 = work[1184 + k]
             angle1_ = work[1216 + k]

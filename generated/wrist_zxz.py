@@ -464,7 +464,7 @@ def _in_tiles(T, q, status):
             doubt = v1 <= m1
             v2 = T13 * T22 - T23 * T12
             work[608 + k] = doubt
-            work[544 + k] = v2
+            work[576 + k] = v2
             work[640 + k] = -T13
             work[672 + k] = -math.sqrt(v1)
             work[704 + k] = v2
@@ -475,7 +475,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T13 = work[64 + k]
-            v2 = work[544 + k]
+            v2 = work[576 + k]
             doubt = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
