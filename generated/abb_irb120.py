@@ -1033,14 +1033,14 @@ def _in_tiles(T, q, status):
                 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
                 N3 and N3 < longest3_apart) or (v18 <= m2 or v25 <= m3))))
             )
-            work[2016 + k] = t24
+            work[544 + k] = t24
             work[3168 + k] = v3
             work[3200 + k] = v29
             work[3232 + k] = v30
-            work[1184 + k] = v35
-            work[1408 + k] = v36
-            work[2976 + k] = v37
-            work[2272 + k] = v38
+            work[2688 + k] = v35
+            work[3072 + k] = v36
+            work[1824 + k] = v37
+            work[2432 + k] = v38
             work[3264 + k] = doubt
             work[3296 + k] = w3
             work[3328 + k] = -v23
@@ -1081,11 +1081,11 @@ def _in_tiles(T, q, status):
         for k in range(3296, 3872):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
-            v35 = work[1184 + k]
-            v36 = work[1408 + k]
-            t24 = work[2016 + k]
-            v38 = work[2272 + k]
-            v37 = work[2976 + k]
+            t24 = work[544 + k]
+            v37 = work[1824 + k]
+            v38 = work[2432 + k]
+            v35 = work[2688 + k]
+            v36 = work[3072 + k]
             v3 = work[3168 + k]
             v29 = work[3200 + k]
             v30 = work[3232 + k]

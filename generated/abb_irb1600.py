@@ -1029,15 +1029,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3072 + k] = Y1
-            work[2336 + k] = w3_p
-            work[2496 + k] = w3_m
-            work[3168 + k] = v6
-            work[864 + k] = v7
-            work[3232 + k] = v59
-            work[2144 + k] = v60
-            work[2400 + k] = v61
-            work[3040 + k] = v62
+            work[608 + k] = Y1
+            work[1376 + k] = w3_p
+            work[2560 + k] = w3_m
+            work[2816 + k] = v6
+            work[1344 + k] = v7
+            work[1312 + k] = v59
+            work[2976 + k] = v60
+            work[544 + k] = v61
+            work[2304 + k] = v62
             work[3296 + k] = v71
             work[3328 + k] = v72
             work[3360 + k] = doubt
@@ -1082,15 +1082,15 @@ def _in_tiles(T, q, status):
         for k in range(3392, 4000):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v7 = work[864 + k]
-            v60 = work[2144 + k]
-            w3_p = work[2336 + k]
-            v61 = work[2400 + k]
-            w3_m = work[2496 + k]
-            v62 = work[3040 + k]
-            Y1 = work[3072 + k]
-            v6 = work[3168 + k]
-            v59 = work[3232 + k]
+            v61 = work[544 + k]
+            Y1 = work[608 + k]
+            v59 = work[1312 + k]
+            v7 = work[1344 + k]
+            w3_p = work[1376 + k]
+            v62 = work[2304 + k]
+            w3_m = work[2560 + k]
+            v6 = work[2816 + k]
+            v60 = work[2976 + k]
             v71 = work[3296 + k]
             v72 = work[3328 + k]
             doubt = work[3360 + k] != 0.0

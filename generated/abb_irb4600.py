@@ -1018,15 +1018,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3328 + k] = Y1
-            work[2720 + k] = w3_p
-            work[2912 + k] = w3_m
+            work[640 + k] = Y1
+            work[1344 + k] = w3_p
+            work[2720 + k] = w3_m
             work[3488 + k] = v39
             work[3520 + k] = v40
-            work[2560 + k] = v45
-            work[3424 + k] = v46
-            work[2848 + k] = v47
-            work[2464 + k] = v48
+            work[1184 + k] = v45
+            work[1600 + k] = v46
+            work[992 + k] = v47
+            work[608 + k] = v48
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1069,13 +1069,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v48 = work[2464 + k]
-            v45 = work[2560 + k]
-            w3_p = work[2720 + k]
-            v47 = work[2848 + k]
-            w3_m = work[2912 + k]
-            Y1 = work[3328 + k]
-            v46 = work[3424 + k]
+            v48 = work[608 + k]
+            Y1 = work[640 + k]
+            v47 = work[992 + k]
+            v45 = work[1184 + k]
+            w3_p = work[1344 + k]
+            v46 = work[1600 + k]
+            w3_m = work[2720 + k]
             v39 = work[3488 + k]
             v40 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

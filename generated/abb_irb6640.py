@@ -1061,15 +1061,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3296 + k] = Y1
-            work[2592 + k] = w3_p
-            work[2784 + k] = w3_m
+            work[672 + k] = Y1
+            work[1472 + k] = w3_p
+            work[2624 + k] = w3_m
             work[3488 + k] = v44
             work[3520 + k] = v45
-            work[3200 + k] = v50
-            work[3232 + k] = v51
-            work[1600 + k] = v52
-            work[1568 + k] = v53
+            work[2272 + k] = v50
+            work[928 + k] = v51
+            work[992 + k] = v52
+            work[3328 + k] = v53
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1112,13 +1112,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v53 = work[1568 + k]
-            v52 = work[1600 + k]
-            w3_p = work[2592 + k]
-            w3_m = work[2784 + k]
-            v50 = work[3200 + k]
-            v51 = work[3232 + k]
-            Y1 = work[3296 + k]
+            Y1 = work[672 + k]
+            v51 = work[928 + k]
+            v52 = work[992 + k]
+            w3_p = work[1472 + k]
+            v50 = work[2272 + k]
+            w3_m = work[2624 + k]
+            v53 = work[3328 + k]
             v44 = work[3488 + k]
             v45 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

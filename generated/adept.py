@@ -555,7 +555,7 @@ def _in_tiles(T, q, status):
             free1_ = v1 <= m1 or v7 <= m2
             q3 = r3 + v9
             doubt = free1_ or free1_
-            work[704 + k] = v9
+            work[800 + k] = v9
             work[1056 + k] = q3
             work[1088 + k] = doubt
             work[1120 + k] = v5
@@ -565,7 +565,7 @@ def _in_tiles(T, q, status):
         for k in range(1120, 1184):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            v9 = work[704 + k]
+            v9 = work[800 + k]
             q3 = work[1056 + k]
             doubt = work[1088 + k] != 0.0
             angle1 = work[1120 + k]

@@ -680,8 +680,8 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free12m4 or free1_p)))
             )
-            work[1408 + k] = v10
-            work[1248 + k] = v11
+            work[832 + k] = v10
+            work[1632 + k] = v11
             work[960 + k] = v12
             work[1696 + k] = q3_p
             work[1728 + k] = q3_m
@@ -697,9 +697,9 @@ def _in_tiles(T, q, status):
         for k in range(1792, 1920):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
+            v10 = work[832 + k]
             v12 = work[960 + k]
-            v11 = work[1248 + k]
-            v10 = work[1408 + k]
+            v11 = work[1632 + k]
             q3_p = work[1696 + k]
             q3_m = work[1728 + k]
             doubt = work[1760 + k] != 0.0

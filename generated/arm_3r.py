@@ -557,7 +557,7 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3 and N3 < longest3_apart))))
             )
             work[1120 + k] = v2
-            work[1024 + k] = v3
+            work[992 + k] = v3
             work[1152 + k] = doubt
             work[1184 + k] = -T24
             work[1216 + k] = -v3
@@ -575,7 +575,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v3 = work[1024 + k]
+            v3 = work[992 + k]
             v2 = work[1120 + k]
             doubt = work[1152 + k] != 0.0
             angle1 = work[1184 + k]

@@ -904,15 +904,15 @@ def _in_tiles(T, q, status):
                 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
                 N3 < longest3_apart) or (v43 or v27 <= m4))))
             )
-            work[1952 + k] = Y1
+            work[928 + k] = Y1
             work[2592 + k] = v3
-            work[1824 + k] = v4
+            work[2304 + k] = v4
             work[2624 + k] = v31
             work[2656 + k] = v32
-            work[1568 + k] = v38
-            work[1984 + k] = v39
-            work[992 + k] = v40
-            work[928 + k] = v41
+            work[1312 + k] = v38
+            work[1600 + k] = v39
+            work[2208 + k] = v40
+            work[576 + k] = v41
             work[2688 + k] = doubt
             work[2720 + k] = Y1
             work[2752 + k] = -v4
@@ -953,12 +953,12 @@ def _in_tiles(T, q, status):
         for k in range(2720, 3296):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
-            v41 = work[928 + k]
-            v40 = work[992 + k]
-            v38 = work[1568 + k]
-            v4 = work[1824 + k]
-            Y1 = work[1952 + k]
-            v39 = work[1984 + k]
+            v41 = work[576 + k]
+            Y1 = work[928 + k]
+            v38 = work[1312 + k]
+            v39 = work[1600 + k]
+            v40 = work[2208 + k]
+            v4 = work[2304 + k]
             v3 = work[2592 + k]
             v31 = work[2624 + k]
             v32 = work[2656 + k]

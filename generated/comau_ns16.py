@@ -1133,12 +1133,12 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
             )
-            work[3136 + k] = w3_p
-            work[3328 + k] = w3_m
-            work[2112 + k] = s6_pp
-            work[2400 + k] = s6_pm
-            work[2432 + k] = s6_mp
-            work[3904 + k] = s6_mm
+            work[1536 + k] = w3_p
+            work[3104 + k] = w3_m
+            work[1056 + k] = s6_pp
+            work[3136 + k] = s6_pm
+            work[2240 + k] = s6_mp
+            work[2624 + k] = s6_mm
             work[4096 + k] = v51
             work[4128 + k] = v52
             work[4160 + k] = doubt
@@ -1185,12 +1185,12 @@ def _in_tiles(T, q, status):
         for k in range(4192, 4832):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            s6_pp = work[2112 + k]
-            s6_pm = work[2400 + k]
-            s6_mp = work[2432 + k]
-            w3_p = work[3136 + k]
-            w3_m = work[3328 + k]
-            s6_mm = work[3904 + k]
+            s6_pp = work[1056 + k]
+            w3_p = work[1536 + k]
+            s6_mp = work[2240 + k]
+            s6_mm = work[2624 + k]
+            w3_m = work[3104 + k]
+            s6_pm = work[3136 + k]
             v51 = work[4096 + k]
             v52 = work[4128 + k]
             doubt = work[4160 + k] != 0.0

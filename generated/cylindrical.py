@@ -492,7 +492,7 @@ def _in_tiles(T, q, status):
             q2 = r2 + v3
             q3 = r3 + v3
             work[768 + k] = doubt
-            work[736 + k] = v3
+            work[672 + k] = v3
             work[800 + k] = q2
             work[832 + k] = q3
             work[864 + k] = T21
@@ -500,7 +500,7 @@ def _in_tiles(T, q, status):
         for k in range(864, 896):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
-            v3 = work[736 + k]
+            v3 = work[672 + k]
             doubt = work[768 + k] != 0.0
             q2 = work[800 + k]
             q3 = work[832 + k]

@@ -634,10 +634,10 @@ def _in_tiles(T, q, status):
             v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
             doubt = v2 <= m1 or v3 <= m3
             work[992 + k] = q2_pp
-            work[640 + k] = v1
-            work[896 + k] = q3_pp
-            work[960 + k] = w4
-            work[672 + k] = v5
+            work[800 + k] = v1
+            work[544 + k] = q3_pp
+            work[736 + k] = w4
+            work[768 + k] = v5
             work[1024 + k] = doubt
             work[1056 + k] = v1
             work[1088 + k] = T33
@@ -651,10 +651,10 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
-            v1 = work[640 + k]
-            v5 = work[672 + k]
-            q3_pp = work[896 + k]
-            w4 = work[960 + k]
+            q3_pp = work[544 + k]
+            w4 = work[736 + k]
+            v5 = work[768 + k]
+            v1 = work[800 + k]
             q2_pp = work[992 + k]
             doubt = work[1024 + k] != 0.0
             angle1 = work[1056 + k]

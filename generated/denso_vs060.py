@@ -1036,14 +1036,14 @@ def _in_tiles(T, q, status):
                 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
                 N3 and N3 < longest3_apart) or (v17 <= m2 or v24 <= m3))))
             )
-            work[2432 + k] = wy
+            work[3104 + k] = wy
             work[3168 + k] = v3
             work[3200 + k] = v28
             work[3232 + k] = v29
-            work[1472 + k] = v34
-            work[1248 + k] = v35
-            work[1440 + k] = v36
-            work[3008 + k] = v37
+            work[704 + k] = v34
+            work[2688 + k] = v35
+            work[3072 + k] = v36
+            work[1856 + k] = v37
             work[3264 + k] = doubt
             work[3296 + k] = -v22
             work[3328 + k] = -v22
@@ -1084,11 +1084,11 @@ def _in_tiles(T, q, status):
         for k in range(3296, 3872):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
-            v35 = work[1248 + k]
-            v36 = work[1440 + k]
-            v34 = work[1472 + k]
-            wy = work[2432 + k]
-            v37 = work[3008 + k]
+            v34 = work[704 + k]
+            v37 = work[1856 + k]
+            v35 = work[2688 + k]
+            v36 = work[3072 + k]
+            wy = work[3104 + k]
             v3 = work[3168 + k]
             v28 = work[3200 + k]
             v29 = work[3232 + k]

@@ -1026,11 +1026,11 @@ def _in_tiles(T, q, status):
             )
             work[3200 + k] = v1
             work[3232 + k] = v13
-            work[2016 + k] = v14
-            work[1632 + k] = s6_pp
-            work[1792 + k] = s6_pm
-            work[1824 + k] = s6_mp
-            work[3040 + k] = s6_mm
+            work[1440 + k] = v14
+            work[992 + k] = s6_pp
+            work[2464 + k] = s6_pm
+            work[1760 + k] = s6_mp
+            work[2080 + k] = s6_mm
             work[3264 + k] = v52
             work[3296 + k] = v53
             work[3328 + k] = doubt
@@ -1075,11 +1075,11 @@ def _in_tiles(T, q, status):
         for k in range(3360, 3968):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            s6_pp = work[1632 + k]
-            s6_pm = work[1792 + k]
-            s6_mp = work[1824 + k]
-            v14 = work[2016 + k]
-            s6_mm = work[3040 + k]
+            s6_pp = work[992 + k]
+            v14 = work[1440 + k]
+            s6_mp = work[1760 + k]
+            s6_mm = work[2080 + k]
+            s6_pm = work[2464 + k]
             v1 = work[3200 + k]
             v13 = work[3232 + k]
             v52 = work[3264 + k]

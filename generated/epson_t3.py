@@ -681,8 +681,8 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free12m4 or free1_p)))
             )
-            work[1376 + k] = v10
-            work[1216 + k] = v11
+            work[800 + k] = v10
+            work[1600 + k] = v11
             work[928 + k] = v12
             work[1664 + k] = v15
             work[1696 + k] = q3_p
@@ -699,9 +699,9 @@ def _in_tiles(T, q, status):
         for k in range(1792, 1920):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
+            v10 = work[800 + k]
             v12 = work[928 + k]
-            v11 = work[1216 + k]
-            v10 = work[1376 + k]
+            v11 = work[1600 + k]
             v15 = work[1664 + k] != 0.0
             q3_p = work[1696 + k]
             q3_m = work[1728 + k]

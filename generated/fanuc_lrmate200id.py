@@ -1062,15 +1062,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3328 + k] = Y1
-            work[2720 + k] = w3_p
-            work[2880 + k] = w3_m
+            work[640 + k] = Y1
+            work[1376 + k] = w3_p
+            work[2752 + k] = w3_m
             work[3488 + k] = v38
             work[3520 + k] = v39
-            work[992 + k] = v44
-            work[2560 + k] = v45
-            work[3424 + k] = v46
-            work[2816 + k] = v47
+            work[2112 + k] = v44
+            work[1216 + k] = v45
+            work[1632 + k] = v46
+            work[992 + k] = v47
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1113,13 +1113,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v44 = work[992 + k]
-            v45 = work[2560 + k]
-            w3_p = work[2720 + k]
-            v47 = work[2816 + k]
-            w3_m = work[2880 + k]
-            Y1 = work[3328 + k]
-            v46 = work[3424 + k]
+            Y1 = work[640 + k]
+            v47 = work[992 + k]
+            v45 = work[1216 + k]
+            w3_p = work[1376 + k]
+            v46 = work[1632 + k]
+            v44 = work[2112 + k]
+            w3_m = work[2752 + k]
             v38 = work[3488 + k]
             v39 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

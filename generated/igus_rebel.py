@@ -1025,15 +1025,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3296 + k] = Y1
-            work[2592 + k] = w3_p
-            work[2784 + k] = w3_m
+            work[672 + k] = Y1
+            work[1472 + k] = w3_p
+            work[2688 + k] = w3_m
             work[3488 + k] = v42
             work[3520 + k] = v43
-            work[2368 + k] = v48
-            work[2176 + k] = v49
-            work[3200 + k] = v50
-            work[3232 + k] = v51
+            work[640 + k] = v48
+            work[864 + k] = v49
+            work[2304 + k] = v50
+            work[928 + k] = v51
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = Y4
@@ -1076,13 +1076,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v49 = work[2176 + k]
-            v48 = work[2368 + k]
-            w3_p = work[2592 + k]
-            w3_m = work[2784 + k]
-            v50 = work[3200 + k]
-            v51 = work[3232 + k]
-            Y1 = work[3296 + k]
+            v48 = work[640 + k]
+            Y1 = work[672 + k]
+            v49 = work[864 + k]
+            v51 = work[928 + k]
+            w3_p = work[1472 + k]
+            v50 = work[2304 + k]
+            w3_m = work[2688 + k]
             v42 = work[3488 + k]
             v43 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

@@ -1034,7 +1034,7 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or
                 free2_pp))))
             )
-            work[2144 + k] = Z2_5
+            work[1472 + k] = Z2_5
             work[2560 + k] = v10
             work[2592 + k] = v29
             work[2624 + k] = v31
@@ -1062,7 +1062,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Z2_5 = work[2144 + k]
+            Z2_5 = work[1472 + k]
             v10 = work[2560 + k]
             v29 = work[2592 + k]
             v31 = work[2624 + k]

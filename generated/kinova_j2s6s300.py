@@ -1078,13 +1078,13 @@ def _in_tiles(T, q, status):
             )
             work[3200 + k] = v1
             work[3232 + k] = v10
-            work[2304 + k] = v11
+            work[2560 + k] = v11
             work[3264 + k] = v34
             work[3296 + k] = v35
-            work[1632 + k] = s6_pp
-            work[1824 + k] = s6_pm
-            work[1856 + k] = s6_mp
-            work[2944 + k] = s6_mm
+            work[832 + k] = s6_pp
+            work[2464 + k] = s6_pm
+            work[1632 + k] = s6_mp
+            work[2016 + k] = s6_mm
             work[3328 + k] = doubt
             work[3360 + k] = -v26
             work[3392 + k] = -v26
@@ -1127,11 +1127,11 @@ def _in_tiles(T, q, status):
         for k in range(3360, 3968):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            s6_pp = work[1632 + k]
-            s6_pm = work[1824 + k]
-            s6_mp = work[1856 + k]
-            v11 = work[2304 + k]
-            s6_mm = work[2944 + k]
+            s6_pp = work[832 + k]
+            s6_mp = work[1632 + k]
+            s6_mm = work[2016 + k]
+            s6_pm = work[2464 + k]
+            v11 = work[2560 + k]
             v1 = work[3200 + k]
             v10 = work[3232 + k]
             v34 = work[3264 + k]

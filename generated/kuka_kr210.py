@@ -996,15 +996,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3296 + k] = Y1
-            work[2560 + k] = w3_p
-            work[2816 + k] = w3_m
+            work[608 + k] = Y1
+            work[1344 + k] = w3_p
+            work[2688 + k] = w3_m
             work[3488 + k] = v45
             work[3520 + k] = v46
-            work[3232 + k] = v51
-            work[1504 + k] = v52
-            work[1472 + k] = v53
-            work[1312 + k] = v54
+            work[864 + k] = v51
+            work[928 + k] = v52
+            work[3296 + k] = v53
+            work[3168 + k] = v54
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1047,13 +1047,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v54 = work[1312 + k]
-            v53 = work[1472 + k]
-            v52 = work[1504 + k]
-            w3_p = work[2560 + k]
-            w3_m = work[2816 + k]
-            v51 = work[3232 + k]
-            Y1 = work[3296 + k]
+            Y1 = work[608 + k]
+            v51 = work[864 + k]
+            v52 = work[928 + k]
+            w3_p = work[1344 + k]
+            w3_m = work[2688 + k]
+            v54 = work[3168 + k]
+            v53 = work[3296 + k]
             v45 = work[3488 + k]
             v46 = work[3520 + k]
             doubt = work[3552 + k] != 0.0

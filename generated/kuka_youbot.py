@@ -1096,7 +1096,7 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m3 or (free234 or v1 <=
                 m1)))))))
             )
-            work[1920 + k] = S5
+            work[3104 + k] = S5
             work[3200 + k] = v11
             work[3232 + k] = v12
             work[3264 + k] = v35
@@ -1127,7 +1127,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
-            S5 = work[1920 + k]
+            S5 = work[3104 + k]
             v11 = work[3200 + k]
             v12 = work[3232 + k]
             v35 = work[3264 + k]

@@ -858,7 +858,7 @@ def _in_tiles(T, q, status):
                 -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 *
                 (merge_slack1 + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
             )
-            work[672 + k] = Z2_6
+            work[1056 + k] = Z2_6
             work[1568 + k] = v5
             work[1600 + k] = q2_pp
             work[1632 + k] = q2_pm
@@ -887,7 +887,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
             T13 = work[64 + k]
-            Z2_6 = work[672 + k]
+            Z2_6 = work[1056 + k]
             v5 = work[1568 + k]
             q2_pp = work[1600 + k]
             q2_pm = work[1632 + k]

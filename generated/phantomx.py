@@ -881,7 +881,7 @@ def _in_tiles(T, q, status):
                 and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or
                 (free2_p or (free2m3m4 or free2_p)))
             )
-            work[1696 + k] = w3
+            work[1216 + k] = w3
             work[1888 + k] = v23
             work[1920 + k] = v24
             work[1952 + k] = v25
@@ -899,7 +899,7 @@ def _in_tiles(T, q, status):
         for k in range(2016, 2176):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
-            w3 = work[1696 + k]
+            w3 = work[1216 + k]
             v23 = work[1888 + k]
             v24 = work[1920 + k]
             v25 = work[1952 + k]

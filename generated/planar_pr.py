@@ -430,7 +430,7 @@ def _in_tiles(T, q, status):
             q1_m = k7 * (v1 - w2)
             work[800 + k] = doubt
             work[608 + k] = q1_p
-            work[640 + k] = q1_m
+            work[672 + k] = q1_m
             work[832 + k] = V1_2 - k2 * q1_p
             work[864 + k] = V1_2 - k2 * q1_m
             work[896 + k] = V2_2 - k3 * q1_p
@@ -439,7 +439,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             q1_p = work[608 + k]
-            q1_m = work[640 + k]
+            q1_m = work[672 + k]
             doubt = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]

@@ -418,7 +418,7 @@ def _in_tiles(T, q, status):
             doubt = v1 <= m1
             outside_p = q2_p < low2 or high2 < q2_p
             outside_m = -q2_p < low2 or high2 < -q2_p
-            work[576 + k] = q2_p
+            work[544 + k] = q2_p
             work[608 + k] = doubt
             work[640 + k] = outside_p
             work[672 + k] = outside_m
@@ -428,7 +428,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T14 = work[96 + k]
-            q2_p = work[576 + k]
+            q2_p = work[544 + k]
             doubt = work[608 + k] != 0.0
             outside_p = work[640 + k] != 0.0
             outside_m = work[672 + k] != 0.0

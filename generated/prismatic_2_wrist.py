@@ -1000,15 +1000,15 @@ def _in_tiles(T, q, status):
             )
             work[3392 + k] = v4
             work[3424 + k] = v17
-            work[2912 + k] = v25
-            work[1184 + k] = v26
+            work[1408 + k] = v25
+            work[2848 + k] = v26
             work[3456 + k] = v27
             work[3488 + k] = v49
             work[3520 + k] = v50
-            work[2592 + k] = v75
-            work[736 + k] = v76
-            work[2816 + k] = v77
-            work[2336 + k] = v78
+            work[2720 + k] = v75
+            work[544 + k] = v76
+            work[2976 + k] = v77
+            work[1472 + k] = v78
             work[3552 + k] = q2_mpp
             work[3584 + k] = q2_mmp
             work[3616 + k] = doubt
@@ -1045,12 +1045,12 @@ def _in_tiles(T, q, status):
         for k in range(3648, 4128):
             work[k] = _atan2(work[k], work[k + 480])
         for k in range(0, 32):
-            v76 = work[736 + k]
-            v26 = work[1184 + k]
-            v78 = work[2336 + k]
-            v75 = work[2592 + k]
-            v77 = work[2816 + k]
-            v25 = work[2912 + k]
+            v76 = work[544 + k]
+            v25 = work[1408 + k]
+            v78 = work[1472 + k]
+            v75 = work[2720 + k]
+            v26 = work[2848 + k]
+            v77 = work[2976 + k]
             v4 = work[3392 + k]
             v17 = work[3424 + k]
             v27 = work[3456 + k]

@@ -968,10 +968,10 @@ def _in_tiles(T, q, status):
             work[3200 + k] = v10
             work[3232 + k] = v36
             work[3264 + k] = v37
-            work[2560 + k] = v47
-            work[2208 + k] = v48
-            work[2112 + k] = v49
-            work[2912 + k] = v50
+            work[992 + k] = v47
+            work[576 + k] = v48
+            work[768 + k] = v49
+            work[1984 + k] = v50
             work[3296 + k] = doubt
             work[3328 + k] = w3
             work[3360 + k] = -v14
@@ -1014,10 +1014,10 @@ def _in_tiles(T, q, status):
         for k in range(3328, 3936):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v49 = work[2112 + k]
-            v48 = work[2208 + k]
-            v47 = work[2560 + k]
-            v50 = work[2912 + k]
+            v48 = work[576 + k]
+            v49 = work[768 + k]
+            v47 = work[992 + k]
+            v50 = work[1984 + k]
             v1 = work[3168 + k]
             v10 = work[3200 + k]
             v36 = work[3232 + k]

@@ -695,8 +695,8 @@ def _in_tiles(T, q, status):
             )
             q1_p = wz + v22
             doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
-            work[1472 + k] = S5
-            work[960 + k] = v22
+            work[1376 + k] = S5
+            work[1248 + k] = v22
             work[1568 + k] = q1_p
             work[1600 + k] = doubt
             work[1632 + k] = -T33
@@ -711,8 +711,8 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
-            v22 = work[960 + k]
-            S5 = work[1472 + k]
+            v22 = work[1248 + k]
+            S5 = work[1376 + k]
             q1_p = work[1568 + k]
             doubt = work[1600 + k] != 0.0
             angle1 = work[1632 + k]

@@ -698,11 +698,11 @@ def _in_tiles(T, q, status):
             s4 = Y4 * factor4
             v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
             doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
-            work[992 + k] = w1
-            work[1024 + k] = q3_ppp
-            work[864 + k] = Y4
-            work[1120 + k] = w4
-            work[896 + k] = v10
+            work[960 + k] = w1
+            work[992 + k] = q3_ppp
+            work[576 + k] = Y4
+            work[928 + k] = w4
+            work[640 + k] = v10
             work[1152 + k] = doubt
             work[1184 + k] = -T24
             work[1216 + k] = -w1
@@ -720,11 +720,11 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Y4 = work[864 + k]
-            v10 = work[896 + k]
-            w1 = work[992 + k]
-            q3_ppp = work[1024 + k]
-            w4 = work[1120 + k]
+            Y4 = work[576 + k]
+            v10 = work[640 + k]
+            w4 = work[928 + k]
+            w1 = work[960 + k]
+            q3_ppp = work[992 + k]
             doubt = work[1152 + k] != 0.0
             angle1 = work[1184 + k]
             angle1_ = work[1216 + k]

@@ -701,9 +701,9 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free124 or free1_p)))
             )
-            work[1440 + k] = v10
-            work[1216 + k] = v11
-            work[960 + k] = v12
+            work[832 + k] = v10
+            work[1664 + k] = v11
+            work[928 + k] = v12
             work[1760 + k] = v15
             work[1792 + k] = q3_p
             work[1824 + k] = q3_m
@@ -719,9 +719,9 @@ def _in_tiles(T, q, status):
         for k in range(1888, 2016):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[960 + k]
-            v11 = work[1216 + k]
-            v10 = work[1440 + k]
+            v10 = work[832 + k]
+            v12 = work[928 + k]
+            v11 = work[1664 + k]
             v15 = work[1760 + k] != 0.0
             q3_p = work[1792 + k]
             q3_m = work[1824 + k]

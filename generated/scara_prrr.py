@@ -665,9 +665,9 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
                 (free234 or free2_p)))
             )
-            work[1280 + k] = v10
-            work[1056 + k] = v11
-            work[800 + k] = v12
+            work[800 + k] = v10
+            work[1600 + k] = v11
+            work[960 + k] = v12
             work[1664 + k] = q1_p
             work[1696 + k] = q1_m
             work[1728 + k] = doubt
@@ -682,9 +682,9 @@ def _in_tiles(T, q, status):
         for k in range(1760, 1888):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[800 + k]
-            v11 = work[1056 + k]
-            v10 = work[1280 + k]
+            v10 = work[800 + k]
+            v12 = work[960 + k]
+            v11 = work[1600 + k]
             q1_p = work[1664 + k]
             q1_m = work[1696 + k]
             doubt = work[1728 + k] != 0.0

@@ -703,8 +703,8 @@ def _in_tiles(T, q, status):
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart) or v6 <= m2))
             )
-            work[800 + k] = v1
-            work[832 + k] = s6
+            work[1056 + k] = v1
+            work[672 + k] = s6
             work[1120 + k] = q3_pp
             work[1152 + k] = doubt
             work[1184 + k] = w2
@@ -723,8 +723,8 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
             T23 = work[192 + k]
-            v1 = work[800 + k]
-            s6 = work[832 + k]
+            s6 = work[672 + k]
+            v1 = work[1056 + k]
             q3_pp = work[1120 + k]
             doubt = work[1152 + k] != 0.0
             angle1 = work[1184 + k]

@@ -1026,13 +1026,13 @@ def _in_tiles(T, q_free, q, status):
                 longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (free234 or v1 <= m1))))))
             )
-            work[640 + k] = v13
-            work[1888 + k] = v14
-            work[1984 + k] = v49
-            work[3008 + k] = v50
-            work[3040 + k] = v51
-            work[1472 + k] = v52
-            work[1440 + k] = v53
+            work[3104 + k] = v13
+            work[1792 + k] = v14
+            work[768 + k] = v49
+            work[2240 + k] = v50
+            work[800 + k] = v51
+            work[896 + k] = v52
+            work[3136 + k] = v53
             work[3264 + k] = q5_pp
             work[3296 + k] = q5_pm
             work[3328 + k] = q5_mp
@@ -1058,13 +1058,13 @@ def _in_tiles(T, q_free, q, status):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v13 = work[640 + k]
-            v53 = work[1440 + k]
-            v52 = work[1472 + k]
-            v14 = work[1888 + k]
-            v49 = work[1984 + k]
-            v50 = work[3008 + k]
-            v51 = work[3040 + k]
+            v49 = work[768 + k]
+            v51 = work[800 + k]
+            v52 = work[896 + k]
+            v14 = work[1792 + k]
+            v50 = work[2240 + k]
+            v13 = work[3104 + k]
+            v53 = work[3136 + k]
             q5_pp = work[3264 + k]
             q5_pm = work[3296 + k]
             q5_mp = work[3328 + k]

@@ -496,7 +496,7 @@ def _in_tiles(T, q, status):
             q3_pp = v1 + w3
             q3_pm = v1 - w3
             doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
-            work[544 + k] = w1
+            work[800 + k] = w1
             work[896 + k] = q3_pp
             work[928 + k] = q3_pm
             work[960 + k] = doubt
@@ -509,7 +509,7 @@ def _in_tiles(T, q, status):
         for k in range(992, 1088):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
-            w1 = work[544 + k]
+            w1 = work[800 + k]
             q3_pp = work[896 + k]
             q3_pm = work[928 + k]
             doubt = work[960 + k] != 0.0

@@ -1066,14 +1066,14 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k3 <= D1 and (free1 or not (k4 < D1))))))))
             )
-            work[3328 + k] = w3_p
-            work[3584 + k] = w3_m
+            work[1568 + k] = w3_p
+            work[3424 + k] = w3_m
             work[4608 + k] = v51
             work[4640 + k] = v52
-            work[3488 + k] = v61
-            work[4256 + k] = v62
-            work[2432 + k] = v63
-            work[3808 + k] = v64
+            work[608 + k] = v61
+            work[2784 + k] = v62
+            work[2976 + k] = v63
+            work[3616 + k] = v64
             work[4672 + k] = doubt
             work[4704 + k] = w3_p
             work[4736 + k] = w3_m
@@ -1118,12 +1118,12 @@ def _in_tiles(T, q, status):
         for k in range(4704, 5344):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v63 = work[2432 + k]
-            w3_p = work[3328 + k]
-            v61 = work[3488 + k]
-            w3_m = work[3584 + k]
-            v64 = work[3808 + k]
-            v62 = work[4256 + k]
+            v61 = work[608 + k]
+            w3_p = work[1568 + k]
+            v62 = work[2784 + k]
+            v63 = work[2976 + k]
+            w3_m = work[3424 + k]
+            v64 = work[3616 + k]
             v51 = work[4608 + k]
             v52 = work[4640 + k]
             doubt = work[4672 + k] != 0.0

@@ -845,13 +845,13 @@ def _in_tiles(T, q, status):
                 v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 <
                 D1)))))
             )
-            work[1696 + k] = w1
-            work[1408 + k] = v19
-            work[1280 + k] = v20
-            work[1824 + k] = w4_p
-            work[1376 + k] = w4_m
-            work[896 + k] = s6_p
-            work[1184 + k] = s6_m
+            work[1408 + k] = w1
+            work[1312 + k] = v19
+            work[1568 + k] = v20
+            work[896 + k] = w4_p
+            work[1856 + k] = w4_m
+            work[1664 + k] = s6_p
+            work[640 + k] = s6_m
             work[2016 + k] = v30
             work[2048 + k] = v31
             work[2080 + k] = q3_ppp
@@ -882,13 +882,13 @@ def _in_tiles(T, q, status):
         for k in range(2176, 2464):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
-            s6_p = work[896 + k]
-            s6_m = work[1184 + k]
-            v20 = work[1280 + k]
-            w4_m = work[1376 + k]
-            v19 = work[1408 + k]
-            w1 = work[1696 + k]
-            w4_p = work[1824 + k]
+            s6_m = work[640 + k]
+            w4_p = work[896 + k]
+            v19 = work[1312 + k]
+            w1 = work[1408 + k]
+            v20 = work[1568 + k]
+            s6_p = work[1664 + k]
+            w4_m = work[1856 + k]
             v30 = work[2016 + k] != 0.0
             v31 = work[2048 + k] != 0.0
             q3_ppp = work[2080 + k]

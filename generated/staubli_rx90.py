@@ -904,13 +904,13 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (v13 <= m3 or v20 <= m4))))
             )
             work[3104 + k] = v4
-            work[1568 + k] = v5
+            work[896 + k] = v5
             work[3136 + k] = v28
             work[3168 + k] = v29
-            work[1216 + k] = v35
-            work[2848 + k] = v37
-            work[2240 + k] = v38
-            work[2944 + k] = v39
+            work[2560 + k] = v35
+            work[1824 + k] = v37
+            work[2432 + k] = v38
+            work[1376 + k] = v39
             work[3200 + k] = doubt
             work[3232 + k] = -T24
             work[3264 + k] = -v5
@@ -952,11 +952,11 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v35 = work[1216 + k]
-            v5 = work[1568 + k]
-            v38 = work[2240 + k]
-            v37 = work[2848 + k]
-            v39 = work[2944 + k]
+            v5 = work[896 + k]
+            v39 = work[1376 + k]
+            v37 = work[1824 + k]
+            v38 = work[2432 + k]
+            v35 = work[2560 + k]
             v4 = work[3104 + k]
             v28 = work[3136 + k]
             v29 = work[3168 + k]

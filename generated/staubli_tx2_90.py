@@ -1125,14 +1125,14 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
             )
-            work[3136 + k] = w3_p
-            work[3360 + k] = w3_m
-            work[2560 + k] = v15
-            work[1920 + k] = v16
-            work[2112 + k] = s6_pp
-            work[2272 + k] = s6_pm
-            work[2304 + k] = s6_mp
-            work[4064 + k] = s6_mm
+            work[1600 + k] = w3_p
+            work[3392 + k] = w3_m
+            work[672 + k] = v15
+            work[2336 + k] = v16
+            work[1120 + k] = s6_pp
+            work[3424 + k] = s6_pm
+            work[2400 + k] = s6_mp
+            work[2752 + k] = s6_mm
             work[4416 + k] = v91
             work[4448 + k] = v92
             work[4480 + k] = doubt
@@ -1179,14 +1179,14 @@ def _in_tiles(T, q, status):
         for k in range(4512, 5152):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v16 = work[1920 + k]
-            s6_pp = work[2112 + k]
-            s6_pm = work[2272 + k]
-            s6_mp = work[2304 + k]
-            v15 = work[2560 + k]
-            w3_p = work[3136 + k]
-            w3_m = work[3360 + k]
-            s6_mm = work[4064 + k]
+            v15 = work[672 + k]
+            s6_pp = work[1120 + k]
+            w3_p = work[1600 + k]
+            v16 = work[2336 + k]
+            s6_mp = work[2400 + k]
+            s6_mm = work[2752 + k]
+            w3_m = work[3392 + k]
+            s6_pm = work[3424 + k]
             v91 = work[4416 + k]
             v92 = work[4448 + k]
             doubt = work[4480 + k] != 0.0

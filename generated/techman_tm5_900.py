@@ -1242,10 +1242,10 @@ def _in_tiles(T, q, status):
                 longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
                 (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
             )
-            work[2304 + k] = Y6_p
-            work[2784 + k] = Y6_m
-            work[3872 + k] = s234_p
-            work[992 + k] = s234_m
+            work[1056 + k] = Y6_p
+            work[1728 + k] = Y6_m
+            work[832 + k] = s234_p
+            work[3616 + k] = s234_m
             work[4128 + k] = v26
             work[4160 + k] = v27
             work[4192 + k] = v28
@@ -1294,10 +1294,10 @@ def _in_tiles(T, q, status):
         for k in range(4288, 4928):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            s234_m = work[992 + k]
-            Y6_p = work[2304 + k]
-            Y6_m = work[2784 + k]
-            s234_p = work[3872 + k]
+            s234_p = work[832 + k]
+            Y6_p = work[1056 + k]
+            Y6_m = work[1728 + k]
+            s234_m = work[3616 + k]
             v26 = work[4128 + k]
             v27 = work[4160 + k]
             v28 = work[4192 + k]

@@ -1186,10 +1186,10 @@ def _in_tiles(T, q, status):
                 longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
                 (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
             )
-            work[2336 + k] = v14
-            work[2560 + k] = v15
-            work[3808 + k] = s234_p
-            work[928 + k] = s234_m
+            work[1984 + k] = v14
+            work[672 + k] = v15
+            work[832 + k] = s234_p
+            work[3648 + k] = s234_m
             work[4128 + k] = v33
             work[4160 + k] = v34
             work[4192 + k] = v35
@@ -1238,10 +1238,10 @@ def _in_tiles(T, q, status):
         for k in range(4288, 4928):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            s234_m = work[928 + k]
-            v14 = work[2336 + k]
-            v15 = work[2560 + k]
-            s234_p = work[3808 + k]
+            v15 = work[672 + k]
+            s234_p = work[832 + k]
+            v14 = work[1984 + k]
+            s234_m = work[3648 + k]
             v33 = work[4128 + k]
             v34 = work[4160 + k]
             v35 = work[4192 + k]

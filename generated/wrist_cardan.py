@@ -468,7 +468,7 @@ def _in_tiles(T, q, status):
             doubt = v1 <= m1
             s3 = T11 * T32 - T31 * T12
             work[608 + k] = doubt
-            work[576 + k] = s3
+            work[544 + k] = s3
             work[640 + k] = -T31
             work[672 + k] = T21
             work[704 + k] = s3
@@ -480,7 +480,7 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             T21 = work[128 + k]
             T31 = work[256 + k]
-            s3 = work[576 + k]
+            s3 = work[544 + k]
             doubt = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]

@@ -462,7 +462,7 @@ def _in_tiles(T, q, status):
             doubt = v1 <= m1
             s3 = T13 * T21 - T23 * T11
             work[608 + k] = doubt
-            work[576 + k] = s3
+            work[544 + k] = s3
             work[640 + k] = T23
             work[672 + k] = -math.sqrt(v1)
             work[704 + k] = s3
@@ -473,7 +473,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T23 = work[192 + k]
-            s3 = work[576 + k]
+            s3 = work[544 + k]
             doubt = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]

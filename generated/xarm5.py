@@ -1126,7 +1126,7 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m2 or (free234 or v1 <=
                 m1)))))))
             )
-            work[1952 + k] = Z2_5
+            work[768 + k] = Z2_5
             work[3392 + k] = v18
             work[3424 + k] = v19
             work[3456 + k] = v43
@@ -1157,7 +1157,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Z2_5 = work[1952 + k]
+            Z2_5 = work[768 + k]
             v18 = work[3392 + k]
             v19 = work[3424 + k]
             v43 = work[3456 + k]

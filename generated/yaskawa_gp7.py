@@ -1076,15 +1076,15 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[3296 + k] = Y1
-            work[2656 + k] = w3_p
-            work[2784 + k] = w3_m
+            work[608 + k] = Y1
+            work[1280 + k] = w3_p
+            work[2688 + k] = w3_m
             work[3488 + k] = v39
             work[3520 + k] = v40
-            work[3328 + k] = v57
-            work[2944 + k] = v58
-            work[3424 + k] = v59
-            work[2464 + k] = v60
+            work[2208 + k] = v57
+            work[928 + k] = v58
+            work[1216 + k] = v59
+            work[3168 + k] = v60
             work[3552 + k] = doubt
             work[3584 + k] = Y1
             work[3616 + k] = w3_p
@@ -1127,13 +1127,13 @@ def _in_tiles(T, q, status):
         for k in range(3584, 4192):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v60 = work[2464 + k]
-            w3_p = work[2656 + k]
-            w3_m = work[2784 + k]
-            v58 = work[2944 + k]
-            Y1 = work[3296 + k]
-            v57 = work[3328 + k]
-            v59 = work[3424 + k]
+            Y1 = work[608 + k]
+            v58 = work[928 + k]
+            v59 = work[1216 + k]
+            w3_p = work[1280 + k]
+            v57 = work[2208 + k]
+            w3_m = work[2688 + k]
+            v60 = work[3168 + k]
             v39 = work[3488 + k]
             v40 = work[3520 + k]
             doubt = work[3552 + k] != 0.0
