@@ -878,16 +878,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6336, 6368, 6400, 6432, 6464, 6496],
-    [6336, 6368, 6400, 6528, 6560, 6592],
-    [6336, 6624, 6656, 6688, 6720, 6752],
-    [6336, 6624, 6656, 6784, 6816, 6848],
-    [6880, 6912, 6944, 6976, 7008, 7040],
-    [6880, 6912, 6944, 7072, 7104, 7136],
-    [6880, 7168, 7200, 7232, 7264, 7296],
-    [6880, 7168, 7200, 7328, 7360, 7392],
+    [2144, 2176, 2208, 2240, 2272, 2304],
+    [2144, 2176, 2208, 2336, 2368, 2400],
+    [2144, 2432, 2464, 2496, 2528, 2560],
+    [2144, 2432, 2464, 2592, 2624, 2656],
+    [2688, 2720, 2752, 2784, 2816, 2848],
+    [2688, 2720, 2752, 2880, 2912, 2944],
+    [2688, 2976, 3008, 3040, 3072, 3104],
+    [2688, 2976, 3008, 3136, 3168, 3200],
 ])
-_KINDS = np.array([7424, 7456, 7488, 7520, 7552, 7584, 7616, 7648])
+_KINDS = np.array([3232, 3264, 3296, 3328, 3360, 3392, 3424, 3456])
 _LEFT_OVER = 255
 
 
@@ -898,7 +898,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7680)
+    work = np.empty(3488)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1029,90 +1029,90 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[608 + k] = Y1
-            work[1376 + k] = w3_p
-            work[2560 + k] = w3_m
-            work[2816 + k] = v6
-            work[1344 + k] = v7
-            work[1312 + k] = v59
-            work[2976 + k] = v60
-            work[544 + k] = v61
-            work[2304 + k] = v62
-            work[3296 + k] = v71
-            work[3328 + k] = v72
-            work[3360 + k] = doubt
-            work[3392 + k] = Y1
-            work[3424 + k] = v59
-            work[3456 + k] = v60
-            work[3488 + k] = v61
-            work[3520 + k] = v62
-            work[3552 + k] = S2_pp
-            work[3584 + k] = -v18
-            work[3616 + k] = S2_mp
-            work[3648 + k] = -v19
-            work[3680 + k] = v6
-            work[3712 + k] = v7
-            work[3744 + k] = -v49
-            work[3776 + k] = -v49
-            work[3808 + k] = v49
-            work[3840 + k] = v49
-            work[3872 + k] = math.sqrt(v51)
-            work[3904 + k] = math.sqrt(v52)
-            work[3936 + k] = math.sqrt(v53)
-            work[3968 + k] = math.sqrt(v54)
-            work[4000 + k] = -wx
-            work[4032 + k] = v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32)
-            work[4064 + k] = v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32)
-            work[4096 + k] = v49 * (v40 * v56 + v44 * T32) - v47 * v55
-            work[4128 + k] = v49 * (v41 * v56 + v45 * T32) - v48 * v55
-            work[4160 + k] = -v24
-            work[4192 + k] = -v25
-            work[4224 + k] = -v26
-            work[4256 + k] = -v27
-            work[4288 + k] = -v8
-            work[4320 + k] = -v9
-            work[4352 + k] = -X4_pp
-            work[4384 + k] = -X4_pm
-            work[4416 + k] = v47
-            work[4448 + k] = v48
-            work[4480 + k] = T33 * v38 + v42 * v46
-            work[4512 + k] = T33 * v39 + v43 * v46
-            work[4544 + k] = T33 * v40 - v44 * v46
-            work[4576 + k] = T33 * v41 - v45 * v46
-        for k in range(3392, 4000):
+            work[544 + k] = Y1
+            work[576 + k] = w3_p
+            work[608 + k] = w3_m
+            work[640 + k] = v6
+            work[672 + k] = v7
+            work[704 + k] = v59
+            work[736 + k] = v60
+            work[768 + k] = v61
+            work[800 + k] = v62
+            work[832 + k] = v71
+            work[864 + k] = v72
+            work[896 + k] = doubt
+            work[928 + k] = Y1
+            work[960 + k] = v59
+            work[992 + k] = v60
+            work[1024 + k] = v61
+            work[1056 + k] = v62
+            work[1088 + k] = S2_pp
+            work[1120 + k] = -v18
+            work[1152 + k] = S2_mp
+            work[1184 + k] = -v19
+            work[1216 + k] = v6
+            work[1248 + k] = v7
+            work[1280 + k] = -v49
+            work[1312 + k] = -v49
+            work[1344 + k] = v49
+            work[1376 + k] = v49
+            work[1408 + k] = math.sqrt(v51)
+            work[1440 + k] = math.sqrt(v52)
+            work[1472 + k] = math.sqrt(v53)
+            work[1504 + k] = math.sqrt(v54)
+            work[1536 + k] = -wx
+            work[1568 + k] = v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32)
+            work[1600 + k] = v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32)
+            work[1632 + k] = v49 * (v40 * v56 + v44 * T32) - v47 * v55
+            work[1664 + k] = v49 * (v41 * v56 + v45 * T32) - v48 * v55
+            work[1696 + k] = -v24
+            work[1728 + k] = -v25
+            work[1760 + k] = -v26
+            work[1792 + k] = -v27
+            work[1824 + k] = -v8
+            work[1856 + k] = -v9
+            work[1888 + k] = -X4_pp
+            work[1920 + k] = -X4_pm
+            work[1952 + k] = v47
+            work[1984 + k] = v48
+            work[2016 + k] = T33 * v38 + v42 * v46
+            work[2048 + k] = T33 * v39 + v43 * v46
+            work[2080 + k] = T33 * v40 - v44 * v46
+            work[2112 + k] = T33 * v41 - v45 * v46
+        for k in range(928, 1536):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v61 = work[544 + k]
-            Y1 = work[608 + k]
-            v59 = work[1312 + k]
-            v7 = work[1344 + k]
-            w3_p = work[1376 + k]
-            v62 = work[2304 + k]
-            w3_m = work[2560 + k]
-            v6 = work[2816 + k]
-            v60 = work[2976 + k]
-            v71 = work[3296 + k]
-            v72 = work[3328 + k]
-            doubt = work[3360 + k] != 0.0
-            angle1 = work[3392 + k]
-            angle1_ = work[3424 + k]
-            angle1__ = work[3456 + k]
-            angle1___ = work[3488 + k]
-            angle1____ = work[3520 + k]
-            angle1_____ = work[3552 + k]
-            angle1______ = work[3584 + k]
-            angle1_______ = work[3616 + k]
-            angle1________ = work[3648 + k]
-            angle1_________ = work[3680 + k]
-            angle1__________ = work[3712 + k]
-            angle1___________ = work[3744 + k]
-            angle1____________ = work[3776 + k]
-            angle1_____________ = work[3808 + k]
-            angle1______________ = work[3840 + k]
-            angle1_______________ = work[3872 + k]
-            angle1________________ = work[3904 + k]
-            angle1_________________ = work[3936 + k]
-            angle1__________________ = work[3968 + k]
+            Y1 = work[544 + k]
+            w3_p = work[576 + k]
+            w3_m = work[608 + k]
+            v6 = work[640 + k]
+            v7 = work[672 + k]
+            v59 = work[704 + k]
+            v60 = work[736 + k]
+            v61 = work[768 + k]
+            v62 = work[800 + k]
+            v71 = work[832 + k]
+            v72 = work[864 + k]
+            doubt = work[896 + k] != 0.0
+            angle1 = work[928 + k]
+            angle1_ = work[960 + k]
+            angle1__ = work[992 + k]
+            angle1___ = work[1024 + k]
+            angle1____ = work[1056 + k]
+            angle1_____ = work[1088 + k]
+            angle1______ = work[1120 + k]
+            angle1_______ = work[1152 + k]
+            angle1________ = work[1184 + k]
+            angle1_________ = work[1216 + k]
+            angle1__________ = work[1248 + k]
+            angle1___________ = work[1280 + k]
+            angle1____________ = work[1312 + k]
+            angle1_____________ = work[1344 + k]
+            angle1______________ = work[1376 + k]
+            angle1_______________ = work[1408 + k]
+            angle1________________ = work[1440 + k]
+            angle1_________________ = work[1472 + k]
+            angle1__________________ = work[1504 + k]
             q6_ppm = angle1_ - math.copysign(half_turn, v59) * h1
             q6_pmm = angle1__ - math.copysign(half_turn, v60) * h1
             q6_mpm = angle1___ - math.copysign(half_turn, v61) * h1
@@ -1167,82 +1167,82 @@ def _in_tiles(T, q, status):
             q5_mmm = (m5 if -v88 <= -half_turn else 0.0) - v88
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-            _6336 = q1_ppp
-            work[6336 + k] = _6336
-            _6368 = q2_ppp
-            work[6368 + k] = _6368
-            _6400 = q3_ppp
-            work[6400 + k] = _6400
-            _6432 = q4_ppp
-            work[6432 + k] = _6432
-            _6464 = q5_ppp
-            work[6464 + k] = _6464
-            _6496 = angle1_
-            work[6496 + k] = _6496
-            _6528 = q4_ppm
-            work[6528 + k] = _6528
-            _6560 = q5_ppm
-            work[6560 + k] = _6560
-            _6592 = q6_ppm
-            work[6592 + k] = _6592
-            _6624 = q2_pmp
-            work[6624 + k] = _6624
-            _6656 = q3_pmp
-            work[6656 + k] = _6656
-            _6688 = q4_pmp
-            work[6688 + k] = _6688
-            _6720 = q5_pmp
-            work[6720 + k] = _6720
-            _6752 = angle1__
-            work[6752 + k] = _6752
-            _6784 = q4_pmm
-            work[6784 + k] = _6784
-            _6816 = q5_pmm
-            work[6816 + k] = _6816
-            _6848 = q6_pmm
-            work[6848 + k] = _6848
-            _6880 = q1_mpp
-            work[6880 + k] = _6880
-            _6912 = q2_mpp
-            work[6912 + k] = _6912
-            _6944 = q3_mpp
-            work[6944 + k] = _6944
-            _6976 = q4_mpp
-            work[6976 + k] = _6976
-            _7008 = q5_mpp
-            work[7008 + k] = _7008
-            _7040 = angle1___
-            work[7040 + k] = _7040
-            _7072 = q4_mpm
-            work[7072 + k] = _7072
-            _7104 = q5_mpm
-            work[7104 + k] = _7104
-            _7136 = q6_mpm
-            work[7136 + k] = _7136
-            _7168 = q2_mmp
-            work[7168 + k] = _7168
-            _7200 = q3_mmp
-            work[7200 + k] = _7200
-            _7232 = q4_mmp
-            work[7232 + k] = _7232
-            _7264 = q5_mmp
-            work[7264 + k] = _7264
-            _7296 = angle1____
-            work[7296 + k] = _7296
-            _7328 = q4_mmm
-            work[7328 + k] = _7328
-            _7360 = q5_mmm
-            work[7360 + k] = _7360
-            _7392 = q6_mmm
-            work[7392 + k] = _7392
-            work[7424 + k] = UNREACHABLE if _6336 != _6336 else OK
-            work[7456 + k] = UNREACHABLE if _6336 != _6336 else OK
-            work[7488 + k] = UNREACHABLE if _6336 != _6336 else OK
-            work[7520 + k] = UNREACHABLE if _6336 != _6336 else OK
-            work[7552 + k] = UNREACHABLE if _6880 != _6880 else OK
-            work[7584 + k] = UNREACHABLE if _6880 != _6880 else OK
-            work[7616 + k] = UNREACHABLE if _6880 != _6880 else OK
-            work[7648 + k] = UNREACHABLE if _6880 != _6880 else OK
+            _2144 = q1_ppp
+            work[2144 + k] = _2144
+            _2176 = q2_ppp
+            work[2176 + k] = _2176
+            _2208 = q3_ppp
+            work[2208 + k] = _2208
+            _2240 = q4_ppp
+            work[2240 + k] = _2240
+            _2272 = q5_ppp
+            work[2272 + k] = _2272
+            _2304 = angle1_
+            work[2304 + k] = _2304
+            _2336 = q4_ppm
+            work[2336 + k] = _2336
+            _2368 = q5_ppm
+            work[2368 + k] = _2368
+            _2400 = q6_ppm
+            work[2400 + k] = _2400
+            _2432 = q2_pmp
+            work[2432 + k] = _2432
+            _2464 = q3_pmp
+            work[2464 + k] = _2464
+            _2496 = q4_pmp
+            work[2496 + k] = _2496
+            _2528 = q5_pmp
+            work[2528 + k] = _2528
+            _2560 = angle1__
+            work[2560 + k] = _2560
+            _2592 = q4_pmm
+            work[2592 + k] = _2592
+            _2624 = q5_pmm
+            work[2624 + k] = _2624
+            _2656 = q6_pmm
+            work[2656 + k] = _2656
+            _2688 = q1_mpp
+            work[2688 + k] = _2688
+            _2720 = q2_mpp
+            work[2720 + k] = _2720
+            _2752 = q3_mpp
+            work[2752 + k] = _2752
+            _2784 = q4_mpp
+            work[2784 + k] = _2784
+            _2816 = q5_mpp
+            work[2816 + k] = _2816
+            _2848 = angle1___
+            work[2848 + k] = _2848
+            _2880 = q4_mpm
+            work[2880 + k] = _2880
+            _2912 = q5_mpm
+            work[2912 + k] = _2912
+            _2944 = q6_mpm
+            work[2944 + k] = _2944
+            _2976 = q2_mmp
+            work[2976 + k] = _2976
+            _3008 = q3_mmp
+            work[3008 + k] = _3008
+            _3040 = q4_mmp
+            work[3040 + k] = _3040
+            _3072 = q5_mmp
+            work[3072 + k] = _3072
+            _3104 = angle1____
+            work[3104 + k] = _3104
+            _3136 = q4_mmm
+            work[3136 + k] = _3136
+            _3168 = q5_mmm
+            work[3168 + k] = _3168
+            _3200 = q6_mmm
+            work[3200 + k] = _3200
+            work[3232 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[3264 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[3296 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[3328 + k] = UNREACHABLE if _2144 != _2144 else OK
+            work[3360 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[3392 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[3424 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[3456 + k] = UNREACHABLE if _2688 != _2688 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -861,16 +861,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6144, 6176, 6208, 6240, 6272, 6304],
-    [6144, 6176, 6208, 6336, 6368, 6400],
-    [6144, 6432, 6464, 6496, 6528, 6560],
-    [6144, 6432, 6464, 6592, 6624, 6656],
-    [6688, 6720, 6752, 6784, 6816, 6848],
-    [6688, 6720, 6752, 6880, 6912, 6944],
-    [6688, 6976, 7008, 7040, 7072, 7104],
-    [6688, 6976, 7008, 7136, 7168, 7200],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2688, 2720, 2752, 2784],
+    [2624, 2656, 2688, 2816, 2848, 2880],
+    [2624, 2912, 2944, 2976, 3008, 3040],
+    [2624, 2912, 2944, 3072, 3104, 3136],
 ])
-_KINDS = np.array([7232, 7264, 7296, 7328, 7360, 7392, 7424, 7456])
+_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
 _LEFT_OVER = 255
 
 
@@ -881,7 +881,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7488)
+    work = np.empty(3424)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1018,86 +1018,86 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[640 + k] = Y1
-            work[1344 + k] = w3_p
-            work[2720 + k] = w3_m
-            work[3488 + k] = v39
-            work[3520 + k] = v40
-            work[1184 + k] = v45
-            work[1600 + k] = v46
-            work[992 + k] = v47
-            work[608 + k] = v48
-            work[3552 + k] = doubt
-            work[3584 + k] = Y1
-            work[3616 + k] = w3_p
-            work[3648 + k] = w3_m
-            work[3680 + k] = -v18
-            work[3712 + k] = -v19
-            work[3744 + k] = -v20
-            work[3776 + k] = -v21
-            work[3808 + k] = -v33
-            work[3840 + k] = -v33
-            work[3872 + k] = v33
-            work[3904 + k] = v33
-            work[3936 + k] = math.sqrt(v35)
-            work[3968 + k] = math.sqrt(v36)
-            work[4000 + k] = math.sqrt(v37)
-            work[4032 + k] = math.sqrt(v38)
-            work[4064 + k] = v45
-            work[4096 + k] = v46
-            work[4128 + k] = v47
-            work[4160 + k] = v48
-            work[4192 + k] = -t14
-            work[4224 + k] = K3_p
-            work[4256 + k] = K3_m
-            work[4288 + k] = C2_pp
-            work[4320 + k] = C2_pm
-            work[4352 + k] = C2_mp
-            work[4384 + k] = C2_mm
-            work[4416 + k] = -X4_pp
-            work[4448 + k] = -X4_pm
-            work[4480 + k] = -X4_mp
-            work[4512 + k] = -X4_mm
-            work[4544 + k] = c23_pp * v32 - T33 * s23_pp
-            work[4576 + k] = c23_pm * v32 + T33 * v30
-            work[4608 + k] = -(c23_mp * v32 + T33 * s23_mp)
-            work[4640 + k] = T33 * v31 - c23_mm * v32
-            work[4672 + k] = X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp * v42)
-            work[4704 + k] = X4_pm * v41 - v33 * (c23_pm * T32 - v30 * v42)
-            work[4736 + k] = v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp * v41
-            work[4768 + k] = v33 * (c23_mm * T32 + v31 * v42) - X4_mm * v41
-        for k in range(3584, 4192):
+            work[544 + k] = Y1
+            work[576 + k] = w3_p
+            work[608 + k] = w3_m
+            work[640 + k] = v39
+            work[672 + k] = v40
+            work[704 + k] = v45
+            work[736 + k] = v46
+            work[768 + k] = v47
+            work[800 + k] = v48
+            work[832 + k] = doubt
+            work[864 + k] = Y1
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = -v18
+            work[992 + k] = -v19
+            work[1024 + k] = -v20
+            work[1056 + k] = -v21
+            work[1088 + k] = -v33
+            work[1120 + k] = -v33
+            work[1152 + k] = v33
+            work[1184 + k] = v33
+            work[1216 + k] = math.sqrt(v35)
+            work[1248 + k] = math.sqrt(v36)
+            work[1280 + k] = math.sqrt(v37)
+            work[1312 + k] = math.sqrt(v38)
+            work[1344 + k] = v45
+            work[1376 + k] = v46
+            work[1408 + k] = v47
+            work[1440 + k] = v48
+            work[1472 + k] = -t14
+            work[1504 + k] = K3_p
+            work[1536 + k] = K3_m
+            work[1568 + k] = C2_pp
+            work[1600 + k] = C2_pm
+            work[1632 + k] = C2_mp
+            work[1664 + k] = C2_mm
+            work[1696 + k] = -X4_pp
+            work[1728 + k] = -X4_pm
+            work[1760 + k] = -X4_mp
+            work[1792 + k] = -X4_mm
+            work[1824 + k] = c23_pp * v32 - T33 * s23_pp
+            work[1856 + k] = c23_pm * v32 + T33 * v30
+            work[1888 + k] = -(c23_mp * v32 + T33 * s23_mp)
+            work[1920 + k] = T33 * v31 - c23_mm * v32
+            work[1952 + k] = X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp * v42)
+            work[1984 + k] = X4_pm * v41 - v33 * (c23_pm * T32 - v30 * v42)
+            work[2016 + k] = v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp * v41
+            work[2048 + k] = v33 * (c23_mm * T32 + v31 * v42) - X4_mm * v41
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v48 = work[608 + k]
-            Y1 = work[640 + k]
-            v47 = work[992 + k]
-            v45 = work[1184 + k]
-            w3_p = work[1344 + k]
-            v46 = work[1600 + k]
-            w3_m = work[2720 + k]
-            v39 = work[3488 + k]
-            v40 = work[3520 + k]
-            doubt = work[3552 + k] != 0.0
-            angle1 = work[3584 + k]
-            angle1_ = work[3616 + k]
-            angle1__ = work[3648 + k]
-            angle1___ = work[3680 + k]
-            angle1____ = work[3712 + k]
-            angle1_____ = work[3744 + k]
-            angle1______ = work[3776 + k]
-            angle1_______ = work[3808 + k]
-            angle1________ = work[3840 + k]
-            angle1_________ = work[3872 + k]
-            angle1__________ = work[3904 + k]
-            angle1___________ = work[3936 + k]
-            angle1____________ = work[3968 + k]
-            angle1_____________ = work[4000 + k]
-            angle1______________ = work[4032 + k]
-            angle1_______________ = work[4064 + k]
-            angle1________________ = work[4096 + k]
-            angle1_________________ = work[4128 + k]
-            angle1__________________ = work[4160 + k]
+            Y1 = work[544 + k]
+            w3_p = work[576 + k]
+            w3_m = work[608 + k]
+            v39 = work[640 + k]
+            v40 = work[672 + k]
+            v45 = work[704 + k]
+            v46 = work[736 + k]
+            v47 = work[768 + k]
+            v48 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q3__pp = angle1_ - turn1
             v16 = turn1 + angle1_
             q3__mp = angle1__ - turn1
@@ -1140,97 +1140,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v63 or (-angle1_____________ < low5 or high5 < -angle1_____________)
             outside_mmp = v64 or (angle1______________ < low5 or high5 < angle1______________)
             outside_mmm = v64 or (-angle1______________ < low5 or high5 < -angle1______________)
-            _6144 = q1_ppp
-            work[6144 + k] = _6144
-            _6176 = angle1___
-            work[6176 + k] = _6176
-            _6208 = q3_ppp
-            work[6208 + k] = _6208
-            _6240 = angle1_______
-            work[6240 + k] = _6240
-            _6272 = angle1___________
-            work[6272 + k] = _6272
-            _6304 = angle1_______________
-            work[6304 + k] = _6304
-            _6336 = q4_ppm
-            work[6336 + k] = _6336
-            _6368 = -angle1___________
-            work[6368 + k] = _6368
-            _6400 = q6_ppm
-            work[6400 + k] = _6400
-            _6432 = angle1____
-            work[6432 + k] = _6432
-            _6464 = q3_pmp
-            work[6464 + k] = _6464
-            _6496 = angle1________
-            work[6496 + k] = _6496
-            _6528 = angle1____________
-            work[6528 + k] = _6528
-            _6560 = angle1________________
-            work[6560 + k] = _6560
-            _6592 = q4_pmm
-            work[6592 + k] = _6592
-            _6624 = -angle1____________
-            work[6624 + k] = _6624
-            _6656 = q6_pmm
-            work[6656 + k] = _6656
-            _6688 = q1_mpp
-            work[6688 + k] = _6688
-            _6720 = angle1_____
-            work[6720 + k] = _6720
-            _6752 = q3_mpp
-            work[6752 + k] = _6752
-            _6784 = angle1_________
-            work[6784 + k] = _6784
-            _6816 = angle1_____________
-            work[6816 + k] = _6816
-            _6848 = angle1_________________
-            work[6848 + k] = _6848
-            _6880 = q4_mpm
-            work[6880 + k] = _6880
-            _6912 = -angle1_____________
-            work[6912 + k] = _6912
-            _6944 = q6_mpm
-            work[6944 + k] = _6944
-            _6976 = angle1______
-            work[6976 + k] = _6976
-            _7008 = q3_mmp
-            work[7008 + k] = _7008
-            _7040 = angle1__________
-            work[7040 + k] = _7040
-            _7072 = angle1______________
-            work[7072 + k] = _7072
-            _7104 = angle1__________________
-            work[7104 + k] = _7104
-            _7136 = q4_mmm
-            work[7136 + k] = _7136
-            _7168 = -angle1______________
-            work[7168 + k] = _7168
-            _7200 = q6_mmm
-            work[7200 + k] = _7200
-            work[7232 + k] = (
-                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = angle1___
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1_______
+            work[2176 + k] = _2176
+            _2208 = angle1___________
+            work[2208 + k] = _2208
+            _2240 = angle1_______________
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = -angle1___________
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = angle1____
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1________
+            work[2432 + k] = _2432
+            _2464 = angle1____________
+            work[2464 + k] = _2464
+            _2496 = angle1________________
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = -angle1____________
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = angle1_____
+            work[2656 + k] = _2656
+            _2688 = q3_mpp
+            work[2688 + k] = _2688
+            _2720 = angle1_________
+            work[2720 + k] = _2720
+            _2752 = angle1_____________
+            work[2752 + k] = _2752
+            _2784 = angle1_________________
+            work[2784 + k] = _2784
+            _2816 = q4_mpm
+            work[2816 + k] = _2816
+            _2848 = -angle1_____________
+            work[2848 + k] = _2848
+            _2880 = q6_mpm
+            work[2880 + k] = _2880
+            _2912 = angle1______
+            work[2912 + k] = _2912
+            _2944 = q3_mmp
+            work[2944 + k] = _2944
+            _2976 = angle1__________
+            work[2976 + k] = _2976
+            _3008 = angle1______________
+            work[3008 + k] = _3008
+            _3040 = angle1__________________
+            work[3040 + k] = _3040
+            _3072 = q4_mmm
+            work[3072 + k] = _3072
+            _3104 = -angle1______________
+            work[3104 + k] = _3104
+            _3136 = q6_mmm
+            work[3136 + k] = _3136
+            work[3168 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[7264 + k] = (
-                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3200 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[7296 + k] = (
-                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[7328 + k] = (
-                UNREACHABLE if _6144 != _6144 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3264 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[7360 + k] = (
-                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[7392 + k] = (
-                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[7424 + k] = (
-                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[7456 + k] = (
-                UNREACHABLE if _6688 != _6688 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

@@ -481,9 +481,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1344, 1376, 1408],
+    [768, 800, 832],
 ])
-_KINDS = np.array([1440])
+_KINDS = np.array([864])
 _LEFT_OVER = 255
 
 
@@ -494,7 +494,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1472)
+    work = np.empty(896)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -555,31 +555,31 @@ def _in_tiles(T, q, status):
             free1_ = v1 <= m1 or v7 <= m2
             q3 = r3 + v9
             doubt = free1_ or free1_
-            work[800 + k] = v9
-            work[1056 + k] = q3
-            work[1088 + k] = doubt
-            work[1120 + k] = v5
-            work[1152 + k] = T32
-            work[1184 + k] = v6
-            work[1216 + k] = T22
-        for k in range(1120, 1184):
+            work[544 + k] = v9
+            work[576 + k] = q3
+            work[608 + k] = doubt
+            work[640 + k] = v5
+            work[672 + k] = T32
+            work[704 + k] = v6
+            work[736 + k] = T22
+        for k in range(640, 704):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            v9 = work[800 + k]
-            q3 = work[1056 + k]
-            doubt = work[1088 + k] != 0.0
-            angle1 = work[1120 + k]
-            angle1_ = work[1152 + k]
+            v9 = work[544 + k]
+            q3 = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
             v10 = angle1_ - angle1
             q1 = angle1 + v9
             q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
-            _1344 = q1
-            work[1344 + k] = _1344
-            _1376 = q2
-            work[1376 + k] = _1376
-            _1408 = q3
-            work[1408 + k] = _1408
-            work[1440 + k] = UNREACHABLE if _1344 != _1344 else OK
+            _768 = q1
+            work[768 + k] = _768
+            _800 = q2
+            work[800 + k] = _800
+            _832 = q3
+            work[832 + k] = _832
+            work[864 + k] = UNREACHABLE if _768 != _768 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -575,10 +575,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2304, 2336, 2368, 2400],
-    [2432, 2464, 2496, 2528],
+    [992, 1024, 1056, 1088],
+    [1120, 1152, 1184, 1216],
 ])
-_KINDS = np.array([2560, 2592])
+_KINDS = np.array([1248, 1280])
 _LEFT_OVER = 255
 
 
@@ -589,7 +589,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2624)
+    work = np.empty(1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -680,33 +680,33 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free12m4 or free1_p)))
             )
-            work[832 + k] = v10
-            work[1632 + k] = v11
-            work[960 + k] = v12
-            work[1696 + k] = q3_p
-            work[1728 + k] = q3_m
-            work[1760 + k] = doubt
-            work[1792 + k] = T21
-            work[1824 + k] = w2
-            work[1856 + k] = S1_p
-            work[1888 + k] = S1_m
-            work[1920 + k] = T11
-            work[1952 + k] = K2
-            work[1984 + k] = C1_p
-            work[2016 + k] = C1_m
-        for k in range(1792, 1920):
+            work[544 + k] = v10
+            work[576 + k] = v11
+            work[608 + k] = v12
+            work[640 + k] = q3_p
+            work[672 + k] = q3_m
+            work[704 + k] = doubt
+            work[736 + k] = T21
+            work[768 + k] = w2
+            work[800 + k] = S1_p
+            work[832 + k] = S1_m
+            work[864 + k] = T11
+            work[896 + k] = K2
+            work[928 + k] = C1_p
+            work[960 + k] = C1_m
+        for k in range(736, 864):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[832 + k]
-            v12 = work[960 + k]
-            v11 = work[1632 + k]
-            q3_p = work[1696 + k]
-            q3_m = work[1728 + k]
-            doubt = work[1760 + k] != 0.0
-            angle1 = work[1792 + k]
-            angle1_ = work[1824 + k]
-            angle1__ = work[1856 + k]
-            angle1___ = work[1888 + k]
+            v10 = work[544 + k]
+            v11 = work[576 + k]
+            v12 = work[608 + k]
+            q3_p = work[640 + k]
+            q3_m = work[672 + k]
+            doubt = work[704 + k] != 0.0
+            angle1 = work[736 + k]
+            angle1_ = work[768 + k]
+            angle1__ = work[800 + k]
+            angle1___ = work[832 + k]
             v13 = angle1_ + angle1__ - angle1
             v14 = angle1___ - angle1_ - angle1
             q1_p = v11 + (angle1__ + v10)
@@ -721,24 +721,24 @@ def _in_tiles(T, q, status):
                 v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
                 0.0)))
             )
-            _2304 = q1_p
-            work[2304 + k] = _2304
-            _2336 = q2_p
-            work[2336 + k] = _2336
-            _2368 = q3_p
-            work[2368 + k] = _2368
-            _2400 = q4_p
-            work[2400 + k] = _2400
-            _2432 = q1_m
-            work[2432 + k] = _2432
-            _2464 = q2_m
-            work[2464 + k] = _2464
-            _2496 = q3_m
-            work[2496 + k] = _2496
-            _2528 = q4_m
-            work[2528 + k] = _2528
-            work[2560 + k] = UNREACHABLE if _2304 != _2304 else OK
-            work[2592 + k] = UNREACHABLE if _2432 != _2432 else OK
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
+            work[1024 + k] = _1024
+            _1056 = q3_p
+            work[1056 + k] = _1056
+            _1088 = q4_p
+            work[1088 + k] = _1088
+            _1120 = q1_m
+            work[1120 + k] = _1120
+            _1152 = q2_m
+            work[1152 + k] = _1152
+            _1184 = q3_m
+            work[1184 + k] = _1184
+            _1216 = q4_m
+            work[1216 + k] = _1216
+            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -500,12 +500,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1664, 1696, 1728],
-    [1664, 1760, 1792],
-    [1824, 1856, 1728],
-    [1824, 1888, 1792],
+    [1024, 1056, 1088],
+    [1024, 1120, 1152],
+    [1184, 1216, 1088],
+    [1184, 1248, 1152],
 ])
-_KINDS = np.array([1920, 1952, 1984, 2016])
+_KINDS = np.array([1280, 1312, 1344, 1376])
 _LEFT_OVER = 255
 
 
@@ -516,7 +516,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2048)
+    work = np.empty(1408)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -556,57 +556,57 @@ def _in_tiles(T, q, status):
                 m3 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
                 (shortest3_apart < N3 and N3 < longest3_apart))))
             )
-            work[1120 + k] = v2
-            work[992 + k] = v3
-            work[1152 + k] = doubt
-            work[1184 + k] = -T24
-            work[1216 + k] = -v3
-            work[1248 + k] = S2_pp
-            work[1280 + k] = -v8
-            work[1312 + k] = -v8
-            work[1344 + k] = S2_pp
-            work[1376 + k] = -T14
-            work[1408 + k] = v4
-            work[1440 + k] = -v11
-            work[1472 + k] = -v12
-            work[1504 + k] = v12
-            work[1536 + k] = v11
-        for k in range(1184, 1376):
+            work[544 + k] = v2
+            work[576 + k] = v3
+            work[608 + k] = doubt
+            work[640 + k] = -T24
+            work[672 + k] = -v3
+            work[704 + k] = S2_pp
+            work[736 + k] = -v8
+            work[768 + k] = -v8
+            work[800 + k] = S2_pp
+            work[832 + k] = -T14
+            work[864 + k] = v4
+            work[896 + k] = -v11
+            work[928 + k] = -v12
+            work[960 + k] = v12
+            work[992 + k] = v11
+        for k in range(640, 832):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v3 = work[992 + k]
-            v2 = work[1120 + k]
-            doubt = work[1152 + k] != 0.0
-            angle1 = work[1184 + k]
-            angle1_ = work[1216 + k]
-            angle1__ = work[1248 + k]
-            angle1___ = work[1280 + k]
-            angle1____ = work[1312 + k]
-            angle1_____ = work[1344 + k]
+            v2 = work[544 + k]
+            v3 = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            angle1__ = work[704 + k]
+            angle1___ = work[736 + k]
+            angle1____ = work[768 + k]
+            angle1_____ = work[800 + k]
             q3_pm = math.copysign(half_turn, -v3) * h1 - angle1_
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
-            _1664 = q1_pp
-            work[1664 + k] = _1664
-            _1696 = angle1__
-            work[1696 + k] = _1696
-            _1728 = angle1_
-            work[1728 + k] = _1728
-            _1760 = angle1___
-            work[1760 + k] = _1760
-            _1792 = q3_pm
-            work[1792 + k] = _1792
-            _1824 = q1_mp
-            work[1824 + k] = _1824
-            _1856 = angle1____
-            work[1856 + k] = _1856
-            _1888 = angle1_____
-            work[1888 + k] = _1888
-            work[1920 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[1952 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[1984 + k] = UNREACHABLE if _1824 != _1824 else OK
-            work[2016 + k] = UNREACHABLE if _1824 != _1824 else OK
+            _1024 = q1_pp
+            work[1024 + k] = _1024
+            _1056 = angle1__
+            work[1056 + k] = _1056
+            _1088 = angle1_
+            work[1088 + k] = _1088
+            _1120 = angle1___
+            work[1120 + k] = _1120
+            _1152 = q3_pm
+            work[1152 + k] = _1152
+            _1184 = q1_mp
+            work[1184 + k] = _1184
+            _1216 = angle1____
+            work[1216 + k] = _1216
+            _1248 = angle1_____
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1312 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1344 + k] = UNREACHABLE if _1184 != _1184 else OK
+            work[1376 + k] = UNREACHABLE if _1184 != _1184 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -776,16 +776,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [4224, 4256, 4288, 4320, 4352, 4384],
-    [4224, 4256, 4288, 4416, 4448, 4480],
-    [4224, 4512, 4544, 4576, 4608, 4640],
-    [4224, 4512, 4544, 4672, 4704, 4736],
-    [4768, 4800, 4288, 4832, 4864, 4896],
-    [4768, 4800, 4288, 4928, 4960, 4992],
-    [4768, 5024, 4544, 5056, 5088, 5120],
-    [4768, 5024, 4544, 5152, 5184, 5216],
+    [2016, 2048, 2080, 2112, 2144, 2176],
+    [2016, 2048, 2080, 2208, 2240, 2272],
+    [2016, 2304, 2336, 2368, 2400, 2432],
+    [2016, 2304, 2336, 2464, 2496, 2528],
+    [2560, 2592, 2080, 2624, 2656, 2688],
+    [2560, 2592, 2080, 2720, 2752, 2784],
+    [2560, 2816, 2336, 2848, 2880, 2912],
+    [2560, 2816, 2336, 2944, 2976, 3008],
 ])
-_KINDS = np.array([5248, 5280, 5312, 5344, 5376, 5408, 5440, 5472])
+_KINDS = np.array([3040, 3072, 3104, 3136, 3168, 3200, 3232, 3264])
 _LEFT_OVER = 255
 
 
@@ -796,7 +796,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5504)
+    work = np.empty(3296)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -904,83 +904,83 @@ def _in_tiles(T, q, status):
                 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
                 N3 < longest3_apart) or (v43 or v27 <= m4))))
             )
-            work[928 + k] = Y1
-            work[2592 + k] = v3
-            work[2304 + k] = v4
-            work[2624 + k] = v31
-            work[2656 + k] = v32
+            work[544 + k] = Y1
+            work[576 + k] = v3
+            work[608 + k] = v4
+            work[640 + k] = v31
+            work[672 + k] = v32
+            work[704 + k] = v38
+            work[736 + k] = v39
+            work[768 + k] = v40
+            work[800 + k] = v41
+            work[832 + k] = doubt
+            work[864 + k] = Y1
+            work[896 + k] = -v4
+            work[928 + k] = S2_pp
+            work[960 + k] = -v10
+            work[992 + k] = -v10
+            work[1024 + k] = S2_pp
+            work[1056 + k] = Y4
+            work[1088 + k] = Y4
+            work[1120 + k] = -Y4
+            work[1152 + k] = -Y4
+            work[1184 + k] = -math.sqrt(v27)
+            work[1216 + k] = -math.sqrt(v28)
+            work[1248 + k] = -math.sqrt(v29)
+            work[1280 + k] = -math.sqrt(v30)
             work[1312 + k] = v38
-            work[1600 + k] = v39
-            work[2208 + k] = v40
-            work[576 + k] = v41
-            work[2688 + k] = doubt
-            work[2720 + k] = Y1
-            work[2752 + k] = -v4
-            work[2784 + k] = S2_pp
-            work[2816 + k] = -v10
-            work[2848 + k] = -v10
-            work[2880 + k] = S2_pp
-            work[2912 + k] = Y4
-            work[2944 + k] = Y4
-            work[2976 + k] = -Y4
-            work[3008 + k] = -Y4
-            work[3040 + k] = -math.sqrt(v27)
-            work[3072 + k] = -math.sqrt(v28)
-            work[3104 + k] = -math.sqrt(v29)
-            work[3136 + k] = -math.sqrt(v30)
-            work[3168 + k] = v38
-            work[3200 + k] = v39
-            work[3232 + k] = v40
-            work[3264 + k] = v41
-            work[3296 + k] = -wx
-            work[3328 + k] = v6
-            work[3360 + k] = -v13
-            work[3392 + k] = -v14
-            work[3424 + k] = v14
-            work[3456 + k] = v13
-            work[3488 + k] = -X4_pp
-            work[3520 + k] = -X4_pm
-            work[3552 + k] = -X4_mp
-            work[3584 + k] = X4_pp
-            work[3616 + k] = -(T33 * c23_pp + s23_pp * v25)
-            work[3648 + k] = -(T33 * c23_pm + s23_pm * v25)
-            work[3680 + k] = T33 * v24 + s23_mp * v25
-            work[3712 + k] = -(T33 * c23_pp + s23_pp * v25)
-            work[3744 + k] = -X4_pp * v33 - Y4 * v42
-            work[3776 + k] = -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm * T32)
-            work[3808 + k] = Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp * v33
-            work[3840 + k] = Y4 * -v42 - X4_pp * v33
-        for k in range(2720, 3296):
+            work[1344 + k] = v39
+            work[1376 + k] = v40
+            work[1408 + k] = v41
+            work[1440 + k] = -wx
+            work[1472 + k] = v6
+            work[1504 + k] = -v13
+            work[1536 + k] = -v14
+            work[1568 + k] = v14
+            work[1600 + k] = v13
+            work[1632 + k] = -X4_pp
+            work[1664 + k] = -X4_pm
+            work[1696 + k] = -X4_mp
+            work[1728 + k] = X4_pp
+            work[1760 + k] = -(T33 * c23_pp + s23_pp * v25)
+            work[1792 + k] = -(T33 * c23_pm + s23_pm * v25)
+            work[1824 + k] = T33 * v24 + s23_mp * v25
+            work[1856 + k] = -(T33 * c23_pp + s23_pp * v25)
+            work[1888 + k] = -X4_pp * v33 - Y4 * v42
+            work[1920 + k] = -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm * T32)
+            work[1952 + k] = Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp * v33
+            work[1984 + k] = Y4 * -v42 - X4_pp * v33
+        for k in range(864, 1440):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
-            v41 = work[576 + k]
-            Y1 = work[928 + k]
-            v38 = work[1312 + k]
-            v39 = work[1600 + k]
-            v40 = work[2208 + k]
-            v4 = work[2304 + k]
-            v3 = work[2592 + k]
-            v31 = work[2624 + k]
-            v32 = work[2656 + k]
-            doubt = work[2688 + k] != 0.0
-            angle1 = work[2720 + k]
-            angle1_ = work[2752 + k]
-            angle1__ = work[2784 + k]
-            angle1___ = work[2816 + k]
-            angle1____ = work[2848 + k]
-            angle1_____ = work[2880 + k]
-            angle1______ = work[2912 + k]
-            angle1_______ = work[2944 + k]
-            angle1________ = work[2976 + k]
-            angle1_________ = work[3008 + k]
-            angle1__________ = work[3040 + k]
-            angle1___________ = work[3072 + k]
-            angle1____________ = work[3104 + k]
-            angle1_____________ = work[3136 + k]
-            angle1______________ = work[3168 + k]
-            angle1_______________ = work[3200 + k]
-            angle1________________ = work[3232 + k]
-            angle1_________________ = work[3264 + k]
+            Y1 = work[544 + k]
+            v3 = work[576 + k]
+            v4 = work[608 + k]
+            v31 = work[640 + k]
+            v32 = work[672 + k]
+            v38 = work[704 + k]
+            v39 = work[736 + k]
+            v40 = work[768 + k]
+            v41 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
             q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
             q4_ppm = angle1______ - v31
             q4_pmm = angle1_______ - v31
@@ -992,78 +992,78 @@ def _in_tiles(T, q, status):
             q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v41)
             q1_ppp = angle1 + v3
             q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
-            _4224 = q1_ppp
-            work[4224 + k] = _4224
-            _4256 = angle1__
-            work[4256 + k] = _4256
-            _4288 = angle1_
-            work[4288 + k] = _4288
-            _4320 = angle1______
-            work[4320 + k] = _4320
-            _4352 = angle1__________
-            work[4352 + k] = _4352
-            _4384 = angle1______________
-            work[4384 + k] = _4384
-            _4416 = q4_ppm
-            work[4416 + k] = _4416
-            _4448 = -angle1__________
-            work[4448 + k] = _4448
-            _4480 = q6_ppm
-            work[4480 + k] = _4480
-            _4512 = angle1___
-            work[4512 + k] = _4512
-            _4544 = q3_pmp
-            work[4544 + k] = _4544
-            _4576 = angle1_______
-            work[4576 + k] = _4576
-            _4608 = angle1___________
-            work[4608 + k] = _4608
-            _4640 = angle1_______________
-            work[4640 + k] = _4640
-            _4672 = q4_pmm
-            work[4672 + k] = _4672
-            _4704 = -angle1___________
-            work[4704 + k] = _4704
-            _4736 = q6_pmm
-            work[4736 + k] = _4736
-            _4768 = q1_mpp
-            work[4768 + k] = _4768
-            _4800 = angle1____
-            work[4800 + k] = _4800
-            _4832 = angle1________
-            work[4832 + k] = _4832
-            _4864 = angle1____________
-            work[4864 + k] = _4864
-            _4896 = angle1________________
-            work[4896 + k] = _4896
-            _4928 = q4_mpm
-            work[4928 + k] = _4928
-            _4960 = -angle1____________
-            work[4960 + k] = _4960
-            _4992 = q6_mpm
-            work[4992 + k] = _4992
-            _5024 = angle1_____
-            work[5024 + k] = _5024
-            _5056 = angle1_________
-            work[5056 + k] = _5056
-            _5088 = angle1_____________
-            work[5088 + k] = _5088
-            _5120 = angle1_________________
-            work[5120 + k] = _5120
-            _5152 = q4_mmm
-            work[5152 + k] = _5152
-            _5184 = -angle1_____________
-            work[5184 + k] = _5184
-            _5216 = q6_mmm
-            work[5216 + k] = _5216
-            work[5248 + k] = UNREACHABLE if _4224 != _4224 else OK
-            work[5280 + k] = UNREACHABLE if _4224 != _4224 else OK
-            work[5312 + k] = UNREACHABLE if _4224 != _4224 else OK
-            work[5344 + k] = UNREACHABLE if _4224 != _4224 else OK
-            work[5376 + k] = UNREACHABLE if _4768 != _4768 else OK
-            work[5408 + k] = UNREACHABLE if _4768 != _4768 else OK
-            work[5440 + k] = UNREACHABLE if _4768 != _4768 else OK
-            work[5472 + k] = UNREACHABLE if _4768 != _4768 else OK
+            _2016 = q1_ppp
+            work[2016 + k] = _2016
+            _2048 = angle1__
+            work[2048 + k] = _2048
+            _2080 = angle1_
+            work[2080 + k] = _2080
+            _2112 = angle1______
+            work[2112 + k] = _2112
+            _2144 = angle1__________
+            work[2144 + k] = _2144
+            _2176 = angle1______________
+            work[2176 + k] = _2176
+            _2208 = q4_ppm
+            work[2208 + k] = _2208
+            _2240 = -angle1__________
+            work[2240 + k] = _2240
+            _2272 = q6_ppm
+            work[2272 + k] = _2272
+            _2304 = angle1___
+            work[2304 + k] = _2304
+            _2336 = q3_pmp
+            work[2336 + k] = _2336
+            _2368 = angle1_______
+            work[2368 + k] = _2368
+            _2400 = angle1___________
+            work[2400 + k] = _2400
+            _2432 = angle1_______________
+            work[2432 + k] = _2432
+            _2464 = q4_pmm
+            work[2464 + k] = _2464
+            _2496 = -angle1___________
+            work[2496 + k] = _2496
+            _2528 = q6_pmm
+            work[2528 + k] = _2528
+            _2560 = q1_mpp
+            work[2560 + k] = _2560
+            _2592 = angle1____
+            work[2592 + k] = _2592
+            _2624 = angle1________
+            work[2624 + k] = _2624
+            _2656 = angle1____________
+            work[2656 + k] = _2656
+            _2688 = angle1________________
+            work[2688 + k] = _2688
+            _2720 = q4_mpm
+            work[2720 + k] = _2720
+            _2752 = -angle1____________
+            work[2752 + k] = _2752
+            _2784 = q6_mpm
+            work[2784 + k] = _2784
+            _2816 = angle1_____
+            work[2816 + k] = _2816
+            _2848 = angle1_________
+            work[2848 + k] = _2848
+            _2880 = angle1_____________
+            work[2880 + k] = _2880
+            _2912 = angle1_________________
+            work[2912 + k] = _2912
+            _2944 = q4_mmm
+            work[2944 + k] = _2944
+            _2976 = -angle1_____________
+            work[2976 + k] = _2976
+            _3008 = q6_mmm
+            work[3008 + k] = _3008
+            work[3040 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3072 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3104 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3136 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3168 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3200 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3232 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3264 + k] = UNREACHABLE if _2560 != _2560 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -277,9 +277,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [576, 608, 640],
+    [544, 576, 608],
 ])
-_KINDS = np.array([672])
+_KINDS = np.array([640])
 _LEFT_OVER = 255
 
 
@@ -290,7 +290,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(704)
+    work = np.empty(672)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -310,13 +310,13 @@ def _in_tiles(T, q, status):
                 T14 < low3 or high3 < T14 or (T34 < low1 or high1 < T34 or (T24 < low2 or high2 <
                 T24))
             )
-            _576 = T34
+            _544 = T34
+            work[544 + k] = _544
+            _576 = T24
             work[576 + k] = _576
-            _608 = T24
+            _608 = T14
             work[608 + k] = _608
-            _640 = T14
-            work[640 + k] = _640
-            work[672 + k] = UNREACHABLE if _576 != _576 else (OUT_OF_LIMITS if outside else OK)
+            work[640 + k] = UNREACHABLE if _544 != _544 else (OUT_OF_LIMITS if outside else OK)
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

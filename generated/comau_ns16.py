@@ -957,16 +957,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [8032, 8064, 8096, 8128, 8160, 8192],
-    [8032, 8064, 8096, 8224, 8256, 8288],
-    [8032, 8320, 8352, 8384, 8416, 8448],
-    [8032, 8320, 8352, 8480, 8512, 8544],
-    [8576, 8608, 8640, 8672, 8704, 8736],
-    [8576, 8608, 8640, 8768, 8800, 8832],
-    [8576, 8864, 8896, 8928, 8960, 8992],
-    [8576, 8864, 8896, 9024, 9056, 9088],
+    [2112, 2144, 2176, 2208, 2240, 2272],
+    [2112, 2144, 2176, 2304, 2336, 2368],
+    [2112, 2400, 2432, 2464, 2496, 2528],
+    [2112, 2400, 2432, 2560, 2592, 2624],
+    [2656, 2688, 2720, 2752, 2784, 2816],
+    [2656, 2688, 2720, 2848, 2880, 2912],
+    [2656, 2944, 2976, 3008, 3040, 3072],
+    [2656, 2944, 2976, 3104, 3136, 3168],
 ])
-_KINDS = np.array([9120, 9152, 9184, 9216, 9248, 9280, 9312, 9344])
+_KINDS = np.array([3200, 3232, 3264, 3296, 3328, 3360, 3392, 3424])
 _LEFT_OVER = 255
 
 
@@ -977,7 +977,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(9376)
+    work = np.empty(3456)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1133,87 +1133,87 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
             )
-            work[1536 + k] = w3_p
-            work[3104 + k] = w3_m
-            work[1056 + k] = s6_pp
-            work[3136 + k] = s6_pm
-            work[2240 + k] = s6_mp
-            work[2624 + k] = s6_mm
-            work[4096 + k] = v51
-            work[4128 + k] = v52
-            work[4160 + k] = doubt
-            work[4192 + k] = v7
-            work[4224 + k] = v8
-            work[4256 + k] = S2_pp
-            work[4288 + k] = S2_pm
-            work[4320 + k] = S2_mp
-            work[4352 + k] = S2_mm
-            work[4384 + k] = w3_p
-            work[4416 + k] = w3_m
-            work[4448 + k] = Y4_p
-            work[4480 + k] = Y4_p
-            work[4512 + k] = Y4_m
-            work[4544 + k] = Y4_m
-            work[4576 + k] = -math.sqrt(v31)
-            work[4608 + k] = -math.sqrt(v32)
-            work[4640 + k] = -math.sqrt(v33)
-            work[4672 + k] = -math.sqrt(v34)
-            work[4704 + k] = s6_pp
-            work[4736 + k] = s6_pm
-            work[4768 + k] = s6_mp
-            work[4800 + k] = s6_mm
-            work[4832 + k] = v4
-            work[4864 + k] = v5
-            work[4896 + k] = C2_pp
-            work[4928 + k] = C2_pm
-            work[4960 + k] = -v19
-            work[4992 + k] = -v20
-            work[5024 + k] = K3_p
-            work[5056 + k] = K3_m
-            work[5088 + k] = -X4_pp
-            work[5120 + k] = -X4_pm
-            work[5152 + k] = -X4_mp
-            work[5184 + k] = -X4_mm
-            work[5216 + k] = T33 * c2m3_pp + s2m3_pp * v27
-            work[5248 + k] = T33 * c2m3_pm + s2m3_pm * v27
-            work[5280 + k] = T33 * c2m3_mp + s2m3_mp * v28
-            work[5312 + k] = T33 * c2m3_mm + s2m3_mm * v28
-            work[5344 + k] = v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32)
-            work[5376 + k] = v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32)
-            work[5408 + k] = v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32)
-            work[5440 + k] = v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32)
-        for k in range(4192, 4832):
+            work[544 + k] = w3_p
+            work[576 + k] = w3_m
+            work[608 + k] = s6_pp
+            work[640 + k] = s6_pm
+            work[672 + k] = s6_mp
+            work[704 + k] = s6_mm
+            work[736 + k] = v51
+            work[768 + k] = v52
+            work[800 + k] = doubt
+            work[832 + k] = v7
+            work[864 + k] = v8
+            work[896 + k] = S2_pp
+            work[928 + k] = S2_pm
+            work[960 + k] = S2_mp
+            work[992 + k] = S2_mm
+            work[1024 + k] = w3_p
+            work[1056 + k] = w3_m
+            work[1088 + k] = Y4_p
+            work[1120 + k] = Y4_p
+            work[1152 + k] = Y4_m
+            work[1184 + k] = Y4_m
+            work[1216 + k] = -math.sqrt(v31)
+            work[1248 + k] = -math.sqrt(v32)
+            work[1280 + k] = -math.sqrt(v33)
+            work[1312 + k] = -math.sqrt(v34)
+            work[1344 + k] = s6_pp
+            work[1376 + k] = s6_pm
+            work[1408 + k] = s6_mp
+            work[1440 + k] = s6_mm
+            work[1472 + k] = v4
+            work[1504 + k] = v5
+            work[1536 + k] = C2_pp
+            work[1568 + k] = C2_pm
+            work[1600 + k] = -v19
+            work[1632 + k] = -v20
+            work[1664 + k] = K3_p
+            work[1696 + k] = K3_m
+            work[1728 + k] = -X4_pp
+            work[1760 + k] = -X4_pm
+            work[1792 + k] = -X4_mp
+            work[1824 + k] = -X4_mm
+            work[1856 + k] = T33 * c2m3_pp + s2m3_pp * v27
+            work[1888 + k] = T33 * c2m3_pm + s2m3_pm * v27
+            work[1920 + k] = T33 * c2m3_mp + s2m3_mp * v28
+            work[1952 + k] = T33 * c2m3_mm + s2m3_mm * v28
+            work[1984 + k] = v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32)
+            work[2016 + k] = v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32)
+            work[2048 + k] = v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32)
+            work[2080 + k] = v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32)
+        for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            s6_pp = work[1056 + k]
-            w3_p = work[1536 + k]
-            s6_mp = work[2240 + k]
-            s6_mm = work[2624 + k]
-            w3_m = work[3104 + k]
-            s6_pm = work[3136 + k]
-            v51 = work[4096 + k]
-            v52 = work[4128 + k]
-            doubt = work[4160 + k] != 0.0
-            angle1 = work[4192 + k]
-            angle1_ = work[4224 + k]
-            angle1__ = work[4256 + k]
-            angle1___ = work[4288 + k]
-            angle1____ = work[4320 + k]
-            angle1_____ = work[4352 + k]
-            angle1______ = work[4384 + k]
-            angle1_______ = work[4416 + k]
-            angle1________ = work[4448 + k]
-            angle1_________ = work[4480 + k]
-            angle1__________ = work[4512 + k]
-            angle1___________ = work[4544 + k]
-            angle1____________ = work[4576 + k]
-            angle1_____________ = work[4608 + k]
-            angle1______________ = work[4640 + k]
-            angle1_______________ = work[4672 + k]
-            angle1________________ = work[4704 + k]
-            angle1_________________ = work[4736 + k]
-            angle1__________________ = work[4768 + k]
-            angle1___________________ = work[4800 + k]
+            w3_p = work[544 + k]
+            w3_m = work[576 + k]
+            s6_pp = work[608 + k]
+            s6_pm = work[640 + k]
+            s6_mp = work[672 + k]
+            s6_mm = work[704 + k]
+            v51 = work[736 + k]
+            v52 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            angle1__________________ = work[1408 + k]
+            angle1___________________ = work[1440 + k]
             v43 = angle1__ - offset2
             v44 = angle1___ - offset2
             v45 = angle1____ - offset2
@@ -1294,97 +1294,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
-            _8032 = q1_ppp
-            work[8032 + k] = _8032
-            _8064 = q2_ppp
-            work[8064 + k] = _8064
-            _8096 = q3_ppp
-            work[8096 + k] = _8096
-            _8128 = q4_ppp
-            work[8128 + k] = _8128
-            _8160 = q5_ppp
-            work[8160 + k] = _8160
-            _8192 = q6_ppp
-            work[8192 + k] = _8192
-            _8224 = q4_ppm
-            work[8224 + k] = _8224
-            _8256 = q5_ppm
-            work[8256 + k] = _8256
-            _8288 = q6_ppm
-            work[8288 + k] = _8288
-            _8320 = q2_pmp
-            work[8320 + k] = _8320
-            _8352 = q3_pmp
-            work[8352 + k] = _8352
-            _8384 = q4_pmp
-            work[8384 + k] = _8384
-            _8416 = q5_pmp
-            work[8416 + k] = _8416
-            _8448 = q6_pmp
-            work[8448 + k] = _8448
-            _8480 = q4_pmm
-            work[8480 + k] = _8480
-            _8512 = q5_pmm
-            work[8512 + k] = _8512
-            _8544 = q6_pmm
-            work[8544 + k] = _8544
-            _8576 = q1_mpp
-            work[8576 + k] = _8576
-            _8608 = q2_mpp
-            work[8608 + k] = _8608
-            _8640 = q3_mpp
-            work[8640 + k] = _8640
-            _8672 = q4_mpp
-            work[8672 + k] = _8672
-            _8704 = q5_mpp
-            work[8704 + k] = _8704
-            _8736 = q6_mpp
-            work[8736 + k] = _8736
-            _8768 = q4_mpm
-            work[8768 + k] = _8768
-            _8800 = q5_mpm
-            work[8800 + k] = _8800
-            _8832 = q6_mpm
-            work[8832 + k] = _8832
-            _8864 = q2_mmp
-            work[8864 + k] = _8864
-            _8896 = q3_mmp
-            work[8896 + k] = _8896
-            _8928 = q4_mmp
-            work[8928 + k] = _8928
-            _8960 = q5_mmp
-            work[8960 + k] = _8960
-            _8992 = q6_mmp
-            work[8992 + k] = _8992
-            _9024 = q4_mmm
-            work[9024 + k] = _9024
-            _9056 = q5_mmm
-            work[9056 + k] = _9056
-            _9088 = q6_mmm
-            work[9088 + k] = _9088
-            work[9120 + k] = (
-                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2112 = q1_ppp
+            work[2112 + k] = _2112
+            _2144 = q2_ppp
+            work[2144 + k] = _2144
+            _2176 = q3_ppp
+            work[2176 + k] = _2176
+            _2208 = q4_ppp
+            work[2208 + k] = _2208
+            _2240 = q5_ppp
+            work[2240 + k] = _2240
+            _2272 = q6_ppp
+            work[2272 + k] = _2272
+            _2304 = q4_ppm
+            work[2304 + k] = _2304
+            _2336 = q5_ppm
+            work[2336 + k] = _2336
+            _2368 = q6_ppm
+            work[2368 + k] = _2368
+            _2400 = q2_pmp
+            work[2400 + k] = _2400
+            _2432 = q3_pmp
+            work[2432 + k] = _2432
+            _2464 = q4_pmp
+            work[2464 + k] = _2464
+            _2496 = q5_pmp
+            work[2496 + k] = _2496
+            _2528 = q6_pmp
+            work[2528 + k] = _2528
+            _2560 = q4_pmm
+            work[2560 + k] = _2560
+            _2592 = q5_pmm
+            work[2592 + k] = _2592
+            _2624 = q6_pmm
+            work[2624 + k] = _2624
+            _2656 = q1_mpp
+            work[2656 + k] = _2656
+            _2688 = q2_mpp
+            work[2688 + k] = _2688
+            _2720 = q3_mpp
+            work[2720 + k] = _2720
+            _2752 = q4_mpp
+            work[2752 + k] = _2752
+            _2784 = q5_mpp
+            work[2784 + k] = _2784
+            _2816 = q6_mpp
+            work[2816 + k] = _2816
+            _2848 = q4_mpm
+            work[2848 + k] = _2848
+            _2880 = q5_mpm
+            work[2880 + k] = _2880
+            _2912 = q6_mpm
+            work[2912 + k] = _2912
+            _2944 = q2_mmp
+            work[2944 + k] = _2944
+            _2976 = q3_mmp
+            work[2976 + k] = _2976
+            _3008 = q4_mmp
+            work[3008 + k] = _3008
+            _3040 = q5_mmp
+            work[3040 + k] = _3040
+            _3072 = q6_mmp
+            work[3072 + k] = _3072
+            _3104 = q4_mmm
+            work[3104 + k] = _3104
+            _3136 = q5_mmm
+            work[3136 + k] = _3136
+            _3168 = q6_mmm
+            work[3168 + k] = _3168
+            work[3200 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[9152 + k] = (
-                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[9184 + k] = (
-                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3264 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[9216 + k] = (
-                UNREACHABLE if _8032 != _8032 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[9248 + k] = (
-                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[9280 + k] = (
-                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[9312 + k] = (
-                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[9344 + k] = (
-                UNREACHABLE if _8576 != _8576 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3424 + k] = (
+                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

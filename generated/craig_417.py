@@ -692,10 +692,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3968, 4000, 4032, 4064],
-    [4096, 4128, 4160, 4192],
+    [1088, 1120, 1152, 1184],
+    [1216, 1248, 1280, 1312],
 ])
-_KINDS = np.array([4224, 4256])
+_KINDS = np.array([1344, 1376])
 _LEFT_OVER = 255
 
 
@@ -706,7 +706,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(4288)
+    work = np.empty(1408)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -850,36 +850,36 @@ def _in_tiles(T, q, status):
                 free3__m or free3__m or (v12 <= m1 or (free1 or -k4 <= D1 and (free1 or not (k5 <
                 D1))) or (free3__p or free3__p))
             )
-            work[3104 + k] = v60
-            work[3136 + k] = v61
-            work[3168 + k] = doubt
-            work[3200 + k] = -S2
-            work[3232 + k] = -v31
-            work[3264 + k] = -v32
-            work[3296 + k] = v15
-            work[3328 + k] = v16
-            work[3360 + k] = -v7
-            work[3392 + k] = -v8
-            work[3424 + k] = v11
-            work[3456 + k] = c3_p
-            work[3488 + k] = c3_m
-            work[3520 + k] = v17
-            work[3552 + k] = v18
-            work[3584 + k] = v4
-            work[3616 + k] = v5
-        for k in range(3200, 3424):
+            work[544 + k] = v60
+            work[576 + k] = v61
+            work[608 + k] = doubt
+            work[640 + k] = -S2
+            work[672 + k] = -v31
+            work[704 + k] = -v32
+            work[736 + k] = v15
+            work[768 + k] = v16
+            work[800 + k] = -v7
+            work[832 + k] = -v8
+            work[864 + k] = v11
+            work[896 + k] = c3_p
+            work[928 + k] = c3_m
+            work[960 + k] = v17
+            work[992 + k] = v18
+            work[1024 + k] = v4
+            work[1056 + k] = v5
+        for k in range(640, 864):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
-            v60 = work[3104 + k]
-            v61 = work[3136 + k]
-            doubt = work[3168 + k] != 0.0
-            angle1 = work[3200 + k]
-            angle1_ = work[3232 + k]
-            angle1__ = work[3264 + k]
-            angle1___ = work[3296 + k]
-            angle1____ = work[3328 + k]
-            angle1_____ = work[3360 + k]
-            angle1______ = work[3392 + k]
+            v60 = work[544 + k]
+            v61 = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            angle1__ = work[704 + k]
+            angle1___ = work[736 + k]
+            angle1____ = work[768 + k]
+            angle1_____ = work[800 + k]
+            angle1______ = work[832 + k]
             v62 = angle1___ - angle1_
             v63 = angle1____ - angle1__
             q1_p = v60 + angle1_____
@@ -894,24 +894,24 @@ def _in_tiles(T, q, status):
             q4_m = (
                 v61 + (v63 - (m3 if half_turn < v63 else 0.0) + (m3 if v63 <= -half_turn else 0.0))
             )
-            _3968 = q1_p
-            work[3968 + k] = _3968
-            _4000 = q2_p
-            work[4000 + k] = _4000
-            _4032 = q3_p
-            work[4032 + k] = _4032
-            _4064 = q4_p
-            work[4064 + k] = _4064
-            _4096 = q1_m
-            work[4096 + k] = _4096
-            _4128 = q2_m
-            work[4128 + k] = _4128
-            _4160 = q3_m
-            work[4160 + k] = _4160
-            _4192 = q4_m
-            work[4192 + k] = _4192
-            work[4224 + k] = UNREACHABLE if _3968 != _3968 else OK
-            work[4256 + k] = UNREACHABLE if _4096 != _4096 else OK
+            _1088 = q1_p
+            work[1088 + k] = _1088
+            _1120 = q2_p
+            work[1120 + k] = _1120
+            _1152 = q3_p
+            work[1152 + k] = _1152
+            _1184 = q4_p
+            work[1184 + k] = _1184
+            _1216 = q1_m
+            work[1216 + k] = _1216
+            _1248 = q2_m
+            work[1248 + k] = _1248
+            _1280 = q3_m
+            work[1280 + k] = _1280
+            _1312 = q4_m
+            work[1312 + k] = _1312
+            work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1376 + k] = UNREACHABLE if _1216 != _1216 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

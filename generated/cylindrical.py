@@ -425,9 +425,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [960, 992, 1024],
+    [736, 768, 800],
 ])
-_KINDS = np.array([1056])
+_KINDS = np.array([832])
 _LEFT_OVER = 255
 
 
@@ -438,7 +438,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1088)
+    work = np.empty(864)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -491,28 +491,28 @@ def _in_tiles(T, q, status):
             )
             q2 = r2 + v3
             q3 = r3 + v3
-            work[768 + k] = doubt
-            work[672 + k] = v3
-            work[800 + k] = q2
-            work[832 + k] = q3
-            work[864 + k] = T21
-            work[896 + k] = T11
-        for k in range(864, 896):
+            work[544 + k] = doubt
+            work[576 + k] = v3
+            work[608 + k] = q2
+            work[640 + k] = q3
+            work[672 + k] = T21
+            work[704 + k] = T11
+        for k in range(672, 704):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
-            v3 = work[672 + k]
-            doubt = work[768 + k] != 0.0
-            q2 = work[800 + k]
-            q3 = work[832 + k]
-            angle1 = work[864 + k]
+            doubt = work[544 + k] != 0.0
+            v3 = work[576 + k]
+            q2 = work[608 + k]
+            q3 = work[640 + k]
+            angle1 = work[672 + k]
             q1 = v3 + angle1
-            _960 = q1
-            work[960 + k] = _960
-            _992 = q2
-            work[992 + k] = _992
-            _1024 = q3
-            work[1024 + k] = _1024
-            work[1056 + k] = UNREACHABLE if _960 != _960 else OK
+            _736 = q1
+            work[736 + k] = _736
+            _768 = q2
+            work[768 + k] = _768
+            _800 = q3
+            work[800 + k] = _800
+            work[832 + k] = UNREACHABLE if _736 != _736 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -565,12 +565,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1440, 1472, 1504, 1536, 1568, 1600],
-    [1440, 1472, 1504, 1632, 1664, 1696],
-    [1728, 1472, 1760, 1792, 1824, 1696],
-    [1728, 1472, 1760, 1856, 1888, 1600],
+    [992, 1024, 1056, 1088, 1120, 1152],
+    [992, 1024, 1056, 1184, 1216, 1248],
+    [1280, 1024, 1312, 1344, 1376, 1248],
+    [1280, 1024, 1312, 1408, 1440, 1152],
 ])
-_KINDS = np.array([1920, 1952, 1984, 2016])
+_KINDS = np.array([1472, 1504, 1536, 1568])
 _LEFT_OVER = 255
 
 
@@ -581,7 +581,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2048)
+    work = np.empty(1600)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -633,72 +633,72 @@ def _in_tiles(T, q, status):
             s4 = T33 * factor4
             v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
             doubt = v2 <= m1 or v3 <= m3
-            work[992 + k] = q2_pp
-            work[800 + k] = v1
-            work[544 + k] = q3_pp
-            work[736 + k] = w4
-            work[768 + k] = v5
-            work[1024 + k] = doubt
-            work[1056 + k] = v1
-            work[1088 + k] = T33
-            work[1120 + k] = -w4
-            work[1152 + k] = v5
-            work[1184 + k] = wy
-            work[1216 + k] = -X4
-            work[1248 + k] = T23 * c1 - T13 * s1
-            work[1280 + k] = v4 * T32 - s4 * (c1 * T12 + s1 * T22)
-        for k in range(1056, 1184):
+            work[544 + k] = q2_pp
+            work[576 + k] = v1
+            work[608 + k] = q3_pp
+            work[640 + k] = w4
+            work[672 + k] = v5
+            work[704 + k] = doubt
+            work[736 + k] = v1
+            work[768 + k] = T33
+            work[800 + k] = -w4
+            work[832 + k] = v5
+            work[864 + k] = wy
+            work[896 + k] = -X4
+            work[928 + k] = T23 * c1 - T13 * s1
+            work[960 + k] = v4 * T32 - s4 * (c1 * T12 + s1 * T22)
+        for k in range(736, 864):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
-            q3_pp = work[544 + k]
-            w4 = work[736 + k]
-            v5 = work[768 + k]
-            v1 = work[800 + k]
-            q2_pp = work[992 + k]
-            doubt = work[1024 + k] != 0.0
-            angle1 = work[1056 + k]
-            angle1_ = work[1088 + k]
-            angle1__ = work[1120 + k]
-            angle1___ = work[1152 + k]
+            q2_pp = work[544 + k]
+            v1 = work[576 + k]
+            q3_pp = work[608 + k]
+            w4 = work[640 + k]
+            v5 = work[672 + k]
+            doubt = work[704 + k] != 0.0
+            angle1 = work[736 + k]
+            angle1_ = work[768 + k]
+            angle1__ = work[800 + k]
+            angle1___ = work[832 + k]
             q1_mp = angle1 - math.copysign(half_turn, v1) * h1
             q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
             q5_mp = h1 * math.copysign(half_turn, -w4) - angle1__
             q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
-            _1440 = angle1
+            _992 = angle1
+            work[992 + k] = _992
+            _1024 = q2_pp
+            work[1024 + k] = _1024
+            _1056 = q3_pp
+            work[1056 + k] = _1056
+            _1088 = angle1_
+            work[1088 + k] = _1088
+            _1120 = angle1__
+            work[1120 + k] = _1120
+            _1152 = angle1___
+            work[1152 + k] = _1152
+            _1184 = q4_pm
+            work[1184 + k] = _1184
+            _1216 = -angle1__
+            work[1216 + k] = _1216
+            _1248 = q6_pm
+            work[1248 + k] = _1248
+            _1280 = q1_mp
+            work[1280 + k] = _1280
+            _1312 = -q3_pp
+            work[1312 + k] = _1312
+            _1344 = -q4_pm
+            work[1344 + k] = _1344
+            _1376 = q5_mp
+            work[1376 + k] = _1376
+            _1408 = -angle1_
+            work[1408 + k] = _1408
+            _1440 = -q5_mp
             work[1440 + k] = _1440
-            _1472 = q2_pp
-            work[1472 + k] = _1472
-            _1504 = q3_pp
-            work[1504 + k] = _1504
-            _1536 = angle1_
-            work[1536 + k] = _1536
-            _1568 = angle1__
-            work[1568 + k] = _1568
-            _1600 = angle1___
-            work[1600 + k] = _1600
-            _1632 = q4_pm
-            work[1632 + k] = _1632
-            _1664 = -angle1__
-            work[1664 + k] = _1664
-            _1696 = q6_pm
-            work[1696 + k] = _1696
-            _1728 = q1_mp
-            work[1728 + k] = _1728
-            _1760 = -q3_pp
-            work[1760 + k] = _1760
-            _1792 = -q4_pm
-            work[1792 + k] = _1792
-            _1824 = q5_mp
-            work[1824 + k] = _1824
-            _1856 = -angle1_
-            work[1856 + k] = _1856
-            _1888 = -q5_mp
-            work[1888 + k] = _1888
-            work[1920 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1952 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[1984 + k] = UNREACHABLE if _1728 != _1728 else OK
-            work[2016 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[1472 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1504 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1536 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1568 + k] = UNREACHABLE if _1280 != _1280 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

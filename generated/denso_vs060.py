@@ -890,16 +890,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6272, 6304, 6336, 6368, 6400, 6432],
-    [6272, 6304, 6336, 6464, 6496, 6528],
-    [6272, 6560, 6592, 6624, 6656, 6688],
-    [6272, 6560, 6592, 6720, 6752, 6784],
-    [6816, 6848, 6336, 6880, 6912, 6944],
-    [6816, 6848, 6336, 6976, 7008, 7040],
-    [6816, 7072, 6592, 7104, 7136, 7168],
-    [6816, 7072, 6592, 7200, 7232, 7264],
+    [1984, 2016, 2048, 2080, 2112, 2144],
+    [1984, 2016, 2048, 2176, 2208, 2240],
+    [1984, 2272, 2304, 2336, 2368, 2400],
+    [1984, 2272, 2304, 2432, 2464, 2496],
+    [2528, 2560, 2048, 2592, 2624, 2656],
+    [2528, 2560, 2048, 2688, 2720, 2752],
+    [2528, 2784, 2304, 2816, 2848, 2880],
+    [2528, 2784, 2304, 2912, 2944, 2976],
 ])
-_KINDS = np.array([7296, 7328, 7360, 7392, 7424, 7456, 7488, 7520])
+_KINDS = np.array([3008, 3040, 3072, 3104, 3136, 3168, 3200, 3232])
 _LEFT_OVER = 255
 
 
@@ -910,7 +910,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7552)
+    work = np.empty(3264)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1036,81 +1036,81 @@ def _in_tiles(T, q, status):
                 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
                 N3 and N3 < longest3_apart) or (v17 <= m2 or v24 <= m3))))
             )
-            work[3104 + k] = wy
-            work[3168 + k] = v3
-            work[3200 + k] = v28
-            work[3232 + k] = v29
-            work[704 + k] = v34
-            work[2688 + k] = v35
-            work[3072 + k] = v36
-            work[1856 + k] = v37
-            work[3264 + k] = doubt
-            work[3296 + k] = -v22
-            work[3328 + k] = -v22
-            work[3360 + k] = v22
-            work[3392 + k] = v22
-            work[3424 + k] = v34
-            work[3456 + k] = v35
-            work[3488 + k] = v36
-            work[3520 + k] = v37
-            work[3552 + k] = wy
-            work[3584 + k] = S2_pp
-            work[3616 + k] = S2_pm
-            work[3648 + k] = S2_mp
-            work[3680 + k] = S2_mm
-            work[3712 + k] = w3
-            work[3744 + k] = math.sqrt(v24)
-            work[3776 + k] = math.sqrt(v25)
-            work[3808 + k] = math.sqrt(v26)
-            work[3840 + k] = math.sqrt(v27)
-            work[3872 + k] = c4_pp
-            work[3904 + k] = c4_pm
-            work[3936 + k] = c4_mp
-            work[3968 + k] = c4_mm
-            work[4000 + k] = c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31)
-            work[4032 + k] = c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31)
-            work[4064 + k] = v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30
-            work[4096 + k] = v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30
-            work[4128 + k] = -X1
-            work[4160 + k] = C2_pp
-            work[4192 + k] = C2_pm
-            work[4224 + k] = C2_mp
-            work[4256 + k] = C2_mm
-            work[4288 + k] = K3
-            work[4320 + k] = s23_pp * v21 - T33 * c23_pp
-            work[4352 + k] = s23_pm * v21 - T33 * c23_pm
-            work[4384 + k] = -(s23_mp * v21 + T33 * c23_mp)
-            work[4416 + k] = -(s23_mm * v21 + T33 * c23_mm)
-        for k in range(3296, 3872):
+            work[544 + k] = wy
+            work[576 + k] = v3
+            work[608 + k] = v28
+            work[640 + k] = v29
+            work[672 + k] = v34
+            work[704 + k] = v35
+            work[736 + k] = v36
+            work[768 + k] = v37
+            work[800 + k] = doubt
+            work[832 + k] = -v22
+            work[864 + k] = -v22
+            work[896 + k] = v22
+            work[928 + k] = v22
+            work[960 + k] = v34
+            work[992 + k] = v35
+            work[1024 + k] = v36
+            work[1056 + k] = v37
+            work[1088 + k] = wy
+            work[1120 + k] = S2_pp
+            work[1152 + k] = S2_pm
+            work[1184 + k] = S2_mp
+            work[1216 + k] = S2_mm
+            work[1248 + k] = w3
+            work[1280 + k] = math.sqrt(v24)
+            work[1312 + k] = math.sqrt(v25)
+            work[1344 + k] = math.sqrt(v26)
+            work[1376 + k] = math.sqrt(v27)
+            work[1408 + k] = c4_pp
+            work[1440 + k] = c4_pm
+            work[1472 + k] = c4_mp
+            work[1504 + k] = c4_mm
+            work[1536 + k] = c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31)
+            work[1568 + k] = c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31)
+            work[1600 + k] = v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30
+            work[1632 + k] = v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30
+            work[1664 + k] = -X1
+            work[1696 + k] = C2_pp
+            work[1728 + k] = C2_pm
+            work[1760 + k] = C2_mp
+            work[1792 + k] = C2_mm
+            work[1824 + k] = K3
+            work[1856 + k] = s23_pp * v21 - T33 * c23_pp
+            work[1888 + k] = s23_pm * v21 - T33 * c23_pm
+            work[1920 + k] = -(s23_mp * v21 + T33 * c23_mp)
+            work[1952 + k] = -(s23_mm * v21 + T33 * c23_mm)
+        for k in range(832, 1408):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
-            v34 = work[704 + k]
-            v37 = work[1856 + k]
-            v35 = work[2688 + k]
-            v36 = work[3072 + k]
-            wy = work[3104 + k]
-            v3 = work[3168 + k]
-            v28 = work[3200 + k]
-            v29 = work[3232 + k]
-            doubt = work[3264 + k] != 0.0
-            angle1 = work[3296 + k]
-            angle1_ = work[3328 + k]
-            angle1__ = work[3360 + k]
-            angle1___ = work[3392 + k]
-            angle1____ = work[3424 + k]
-            angle1_____ = work[3456 + k]
-            angle1______ = work[3488 + k]
-            angle1_______ = work[3520 + k]
-            angle1________ = work[3552 + k]
-            angle1_________ = work[3584 + k]
-            angle1__________ = work[3616 + k]
-            angle1___________ = work[3648 + k]
-            angle1____________ = work[3680 + k]
-            angle1_____________ = work[3712 + k]
-            angle1______________ = work[3744 + k]
-            angle1_______________ = work[3776 + k]
-            angle1________________ = work[3808 + k]
-            angle1_________________ = work[3840 + k]
+            wy = work[544 + k]
+            v3 = work[576 + k]
+            v28 = work[608 + k]
+            v29 = work[640 + k]
+            v34 = work[672 + k]
+            v35 = work[704 + k]
+            v36 = work[736 + k]
+            v37 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
             q4_ppm = angle1 - v28
             q4_pmm = angle1_ - v28
             q4_mpm = angle1__ - v29
@@ -1171,93 +1171,93 @@ def _in_tiles(T, q, status):
             outside_mpm = v60 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v61 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v61 or (q5_mmm < low5 or high5 < q5_mmm)
-            _6272 = q1_ppp
-            work[6272 + k] = _6272
-            _6304 = q2_ppp
-            work[6304 + k] = _6304
-            _6336 = q3_ppp
-            work[6336 + k] = _6336
-            _6368 = angle1
-            work[6368 + k] = _6368
-            _6400 = q5_ppp
-            work[6400 + k] = _6400
-            _6432 = angle1____
-            work[6432 + k] = _6432
-            _6464 = q4_ppm
-            work[6464 + k] = _6464
-            _6496 = q5_ppm
-            work[6496 + k] = _6496
-            _6528 = q6_ppm
-            work[6528 + k] = _6528
-            _6560 = q2_pmp
-            work[6560 + k] = _6560
-            _6592 = -(v45 + (m5 if half_turn < -v45 else 0.0))
-            work[6592 + k] = _6592
-            _6624 = angle1_
-            work[6624 + k] = _6624
-            _6656 = q5_pmp
-            work[6656 + k] = _6656
-            _6688 = angle1_____
-            work[6688 + k] = _6688
-            _6720 = q4_pmm
-            work[6720 + k] = _6720
-            _6752 = q5_pmm
-            work[6752 + k] = _6752
-            _6784 = q6_pmm
-            work[6784 + k] = _6784
-            _6816 = q1_mpp
-            work[6816 + k] = _6816
-            _6848 = q2_mpp
-            work[6848 + k] = _6848
-            _6880 = angle1__
-            work[6880 + k] = _6880
-            _6912 = q5_mpp
-            work[6912 + k] = _6912
-            _6944 = angle1______
-            work[6944 + k] = _6944
-            _6976 = q4_mpm
-            work[6976 + k] = _6976
-            _7008 = q5_mpm
-            work[7008 + k] = _7008
-            _7040 = q6_mpm
-            work[7040 + k] = _7040
-            _7072 = q2_mmp
-            work[7072 + k] = _7072
-            _7104 = angle1___
-            work[7104 + k] = _7104
-            _7136 = q5_mmp
-            work[7136 + k] = _7136
-            _7168 = angle1_______
-            work[7168 + k] = _7168
-            _7200 = q4_mmm
-            work[7200 + k] = _7200
-            _7232 = q5_mmm
-            work[7232 + k] = _7232
-            _7264 = q6_mmm
-            work[7264 + k] = _7264
-            work[7296 + k] = (
-                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1984 = q1_ppp
+            work[1984 + k] = _1984
+            _2016 = q2_ppp
+            work[2016 + k] = _2016
+            _2048 = q3_ppp
+            work[2048 + k] = _2048
+            _2080 = angle1
+            work[2080 + k] = _2080
+            _2112 = q5_ppp
+            work[2112 + k] = _2112
+            _2144 = angle1____
+            work[2144 + k] = _2144
+            _2176 = q4_ppm
+            work[2176 + k] = _2176
+            _2208 = q5_ppm
+            work[2208 + k] = _2208
+            _2240 = q6_ppm
+            work[2240 + k] = _2240
+            _2272 = q2_pmp
+            work[2272 + k] = _2272
+            _2304 = -(v45 + (m5 if half_turn < -v45 else 0.0))
+            work[2304 + k] = _2304
+            _2336 = angle1_
+            work[2336 + k] = _2336
+            _2368 = q5_pmp
+            work[2368 + k] = _2368
+            _2400 = angle1_____
+            work[2400 + k] = _2400
+            _2432 = q4_pmm
+            work[2432 + k] = _2432
+            _2464 = q5_pmm
+            work[2464 + k] = _2464
+            _2496 = q6_pmm
+            work[2496 + k] = _2496
+            _2528 = q1_mpp
+            work[2528 + k] = _2528
+            _2560 = q2_mpp
+            work[2560 + k] = _2560
+            _2592 = angle1__
+            work[2592 + k] = _2592
+            _2624 = q5_mpp
+            work[2624 + k] = _2624
+            _2656 = angle1______
+            work[2656 + k] = _2656
+            _2688 = q4_mpm
+            work[2688 + k] = _2688
+            _2720 = q5_mpm
+            work[2720 + k] = _2720
+            _2752 = q6_mpm
+            work[2752 + k] = _2752
+            _2784 = q2_mmp
+            work[2784 + k] = _2784
+            _2816 = angle1___
+            work[2816 + k] = _2816
+            _2848 = q5_mmp
+            work[2848 + k] = _2848
+            _2880 = angle1_______
+            work[2880 + k] = _2880
+            _2912 = q4_mmm
+            work[2912 + k] = _2912
+            _2944 = q5_mmm
+            work[2944 + k] = _2944
+            _2976 = q6_mmm
+            work[2976 + k] = _2976
+            work[3008 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[7328 + k] = (
-                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3040 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[7360 + k] = (
-                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3072 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[7392 + k] = (
-                UNREACHABLE if _6272 != _6272 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3104 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[7424 + k] = (
-                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3136 + k] = (
+                UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[7456 + k] = (
-                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3168 + k] = (
+                UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[7488 + k] = (
-                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3200 + k] = (
+                UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[7520 + k] = (
-                UNREACHABLE if _6816 != _6816 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

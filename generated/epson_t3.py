@@ -577,10 +577,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2368, 2400, 2432, 2464],
-    [2496, 2528, 2560, 2592],
+    [1024, 1056, 1088, 1120],
+    [1152, 1184, 1216, 1248],
 ])
-_KINDS = np.array([2624, 2656])
+_KINDS = np.array([1280, 1312])
 _LEFT_OVER = 255
 
 
@@ -591,7 +591,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2688)
+    work = np.empty(1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -681,35 +681,35 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free12m4 or free1_p)))
             )
-            work[800 + k] = v10
-            work[1600 + k] = v11
-            work[928 + k] = v12
-            work[1664 + k] = v15
-            work[1696 + k] = q3_p
-            work[1728 + k] = q3_m
-            work[1760 + k] = doubt
-            work[1792 + k] = T21
-            work[1824 + k] = w2
-            work[1856 + k] = S1_p
-            work[1888 + k] = S1_m
-            work[1920 + k] = T11
-            work[1952 + k] = K2
-            work[1984 + k] = C1_p
-            work[2016 + k] = C1_m
-        for k in range(1792, 1920):
+            work[544 + k] = v10
+            work[576 + k] = v11
+            work[608 + k] = v12
+            work[640 + k] = v15
+            work[672 + k] = q3_p
+            work[704 + k] = q3_m
+            work[736 + k] = doubt
+            work[768 + k] = T21
+            work[800 + k] = w2
+            work[832 + k] = S1_p
+            work[864 + k] = S1_m
+            work[896 + k] = T11
+            work[928 + k] = K2
+            work[960 + k] = C1_p
+            work[992 + k] = C1_m
+        for k in range(768, 896):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[800 + k]
-            v12 = work[928 + k]
-            v11 = work[1600 + k]
-            v15 = work[1664 + k] != 0.0
-            q3_p = work[1696 + k]
-            q3_m = work[1728 + k]
-            doubt = work[1760 + k] != 0.0
-            angle1 = work[1792 + k]
-            angle1_ = work[1824 + k]
-            angle1__ = work[1856 + k]
-            angle1___ = work[1888 + k]
+            v10 = work[544 + k]
+            v11 = work[576 + k]
+            v12 = work[608 + k]
+            v15 = work[640 + k] != 0.0
+            q3_p = work[672 + k]
+            q3_m = work[704 + k]
+            doubt = work[736 + k] != 0.0
+            angle1 = work[768 + k]
+            angle1_ = work[800 + k]
+            angle1__ = work[832 + k]
+            angle1___ = work[864 + k]
             v13 = angle1_ + angle1__ - angle1
             v14 = angle1___ - angle1_ - angle1
             q1_p = v11 + (angle1__ + v10)
@@ -731,24 +731,24 @@ def _in_tiles(T, q, status):
                 v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
                 -angle1_))
             )
-            _2368 = q1_p
-            work[2368 + k] = _2368
-            _2400 = q2_p
-            work[2400 + k] = _2400
-            _2432 = q3_p
-            work[2432 + k] = _2432
-            _2464 = q4_p
-            work[2464 + k] = _2464
-            _2496 = q1_m
-            work[2496 + k] = _2496
-            _2528 = q2_m
-            work[2528 + k] = _2528
-            _2560 = q3_m
-            work[2560 + k] = _2560
-            _2592 = q4_m
-            work[2592 + k] = _2592
-            work[2624 + k] = UNREACHABLE if _2368 != _2368 else (OUT_OF_LIMITS if outside_p else OK)
-            work[2656 + k] = UNREACHABLE if _2496 != _2496 else (OUT_OF_LIMITS if outside_m else OK)
+            _1024 = q1_p
+            work[1024 + k] = _1024
+            _1056 = q2_p
+            work[1056 + k] = _1056
+            _1088 = q3_p
+            work[1088 + k] = _1088
+            _1120 = q4_p
+            work[1120 + k] = _1120
+            _1152 = q1_m
+            work[1152 + k] = _1152
+            _1184 = q2_m
+            work[1184 + k] = _1184
+            _1216 = q3_m
+            work[1216 + k] = _1216
+            _1248 = q4_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_p else OK)
+            work[1312 + k] = UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_m else OK)
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -905,16 +905,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [7008, 7040, 7072, 7104, 7136, 7168],
-    [7008, 7040, 7072, 7200, 7232, 7264],
-    [7008, 7296, 7328, 7360, 7392, 7424],
-    [7008, 7296, 7328, 7456, 7488, 7520],
-    [7552, 7584, 7616, 7648, 7680, 7712],
-    [7552, 7584, 7616, 7744, 7776, 7808],
-    [7552, 7840, 7872, 7904, 7936, 7968],
-    [7552, 7840, 7872, 8000, 8032, 8064],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2688, 2720, 2752, 2784],
+    [2624, 2656, 2688, 2816, 2848, 2880],
+    [2624, 2912, 2944, 2976, 3008, 3040],
+    [2624, 2912, 2944, 3072, 3104, 3136],
 ])
-_KINDS = np.array([8096, 8128, 8160, 8192, 8224, 8256, 8288, 8320])
+_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
 _LEFT_OVER = 255
 
 
@@ -925,7 +925,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(8352)
+    work = np.empty(3424)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1062,86 +1062,86 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[640 + k] = Y1
-            work[1376 + k] = w3_p
-            work[2752 + k] = w3_m
-            work[3488 + k] = v38
-            work[3520 + k] = v39
-            work[2112 + k] = v44
-            work[1216 + k] = v45
-            work[1632 + k] = v46
-            work[992 + k] = v47
-            work[3552 + k] = doubt
-            work[3584 + k] = Y1
-            work[3616 + k] = w3_p
-            work[3648 + k] = w3_m
-            work[3680 + k] = Y4
-            work[3712 + k] = Y4
-            work[3744 + k] = -Y4
-            work[3776 + k] = -Y4
-            work[3808 + k] = v44
-            work[3840 + k] = v45
-            work[3872 + k] = v46
-            work[3904 + k] = v47
-            work[3936 + k] = -v16
-            work[3968 + k] = -v17
-            work[4000 + k] = -v18
-            work[4032 + k] = -v19
-            work[4064 + k] = math.sqrt(v34)
-            work[4096 + k] = math.sqrt(v35)
-            work[4128 + k] = math.sqrt(v36)
-            work[4160 + k] = math.sqrt(v37)
-            work[4192 + k] = -t14
-            work[4224 + k] = K3_p
-            work[4256 + k] = K3_m
-            work[4288 + k] = -X4_pp
-            work[4320 + k] = -X4_pm
-            work[4352 + k] = -X4_mp
-            work[4384 + k] = -X4_mm
-            work[4416 + k] = X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41)
-            work[4448 + k] = X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41)
-            work[4480 + k] = Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40
-            work[4512 + k] = Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40
-            work[4544 + k] = C2_pp
-            work[4576 + k] = C2_pm
-            work[4608 + k] = C2_mp
-            work[4640 + k] = C2_mm
-            work[4672 + k] = T31 * c2m3_pp - v28 * v32
-            work[4704 + k] = T31 * c2m3_pm - v29 * v32
-            work[4736 + k] = T31 * c2m3_mp + v30 * v32
-            work[4768 + k] = T31 * c2m3_mm + v31 * v32
-        for k in range(3584, 4192):
+            work[544 + k] = Y1
+            work[576 + k] = w3_p
+            work[608 + k] = w3_m
+            work[640 + k] = v38
+            work[672 + k] = v39
+            work[704 + k] = v44
+            work[736 + k] = v45
+            work[768 + k] = v46
+            work[800 + k] = v47
+            work[832 + k] = doubt
+            work[864 + k] = Y1
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = Y4
+            work[992 + k] = Y4
+            work[1024 + k] = -Y4
+            work[1056 + k] = -Y4
+            work[1088 + k] = v44
+            work[1120 + k] = v45
+            work[1152 + k] = v46
+            work[1184 + k] = v47
+            work[1216 + k] = -v16
+            work[1248 + k] = -v17
+            work[1280 + k] = -v18
+            work[1312 + k] = -v19
+            work[1344 + k] = math.sqrt(v34)
+            work[1376 + k] = math.sqrt(v35)
+            work[1408 + k] = math.sqrt(v36)
+            work[1440 + k] = math.sqrt(v37)
+            work[1472 + k] = -t14
+            work[1504 + k] = K3_p
+            work[1536 + k] = K3_m
+            work[1568 + k] = -X4_pp
+            work[1600 + k] = -X4_pm
+            work[1632 + k] = -X4_mp
+            work[1664 + k] = -X4_mm
+            work[1696 + k] = X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41)
+            work[1728 + k] = X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41)
+            work[1760 + k] = Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40
+            work[1792 + k] = Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40
+            work[1824 + k] = C2_pp
+            work[1856 + k] = C2_pm
+            work[1888 + k] = C2_mp
+            work[1920 + k] = C2_mm
+            work[1952 + k] = T31 * c2m3_pp - v28 * v32
+            work[1984 + k] = T31 * c2m3_pm - v29 * v32
+            work[2016 + k] = T31 * c2m3_mp + v30 * v32
+            work[2048 + k] = T31 * c2m3_mm + v31 * v32
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            Y1 = work[640 + k]
-            v47 = work[992 + k]
-            v45 = work[1216 + k]
-            w3_p = work[1376 + k]
-            v46 = work[1632 + k]
-            v44 = work[2112 + k]
-            w3_m = work[2752 + k]
-            v38 = work[3488 + k]
-            v39 = work[3520 + k]
-            doubt = work[3552 + k] != 0.0
-            angle1 = work[3584 + k]
-            angle1_ = work[3616 + k]
-            angle1__ = work[3648 + k]
-            angle1___ = work[3680 + k]
-            angle1____ = work[3712 + k]
-            angle1_____ = work[3744 + k]
-            angle1______ = work[3776 + k]
-            angle1_______ = work[3808 + k]
-            angle1________ = work[3840 + k]
-            angle1_________ = work[3872 + k]
-            angle1__________ = work[3904 + k]
-            angle1___________ = work[3936 + k]
-            angle1____________ = work[3968 + k]
-            angle1_____________ = work[4000 + k]
-            angle1______________ = work[4032 + k]
-            angle1_______________ = work[4064 + k]
-            angle1________________ = work[4096 + k]
-            angle1_________________ = work[4128 + k]
-            angle1__________________ = work[4160 + k]
+            Y1 = work[544 + k]
+            w3_p = work[576 + k]
+            w3_m = work[608 + k]
+            v38 = work[640 + k]
+            v39 = work[672 + k]
+            v44 = work[704 + k]
+            v45 = work[736 + k]
+            v46 = work[768 + k]
+            v47 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
             q3__pp = angle1_ - turn1
             v14 = turn1 + angle1_
@@ -1211,97 +1211,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v76 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v77 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v77 or (q5_mmm < low5 or high5 < q5_mmm)
-            _7008 = q1_ppp
-            work[7008 + k] = _7008
-            _7040 = q2_ppp
-            work[7040 + k] = _7040
-            _7072 = q3_ppp
-            work[7072 + k] = _7072
-            _7104 = angle1___
-            work[7104 + k] = _7104
-            _7136 = q5_ppp
-            work[7136 + k] = _7136
-            _7168 = angle1_______
-            work[7168 + k] = _7168
-            _7200 = q4_ppm
-            work[7200 + k] = _7200
-            _7232 = q5_ppm
-            work[7232 + k] = _7232
-            _7264 = q6_ppm
-            work[7264 + k] = _7264
-            _7296 = q2_pmp
-            work[7296 + k] = _7296
-            _7328 = q3_pmp
-            work[7328 + k] = _7328
-            _7360 = angle1____
-            work[7360 + k] = _7360
-            _7392 = q5_pmp
-            work[7392 + k] = _7392
-            _7424 = angle1________
-            work[7424 + k] = _7424
-            _7456 = q4_pmm
-            work[7456 + k] = _7456
-            _7488 = q5_pmm
-            work[7488 + k] = _7488
-            _7520 = q6_pmm
-            work[7520 + k] = _7520
-            _7552 = q1_mpp
-            work[7552 + k] = _7552
-            _7584 = q2_mpp
-            work[7584 + k] = _7584
-            _7616 = q3_mpp
-            work[7616 + k] = _7616
-            _7648 = angle1_____
-            work[7648 + k] = _7648
-            _7680 = q5_mpp
-            work[7680 + k] = _7680
-            _7712 = angle1_________
-            work[7712 + k] = _7712
-            _7744 = q4_mpm
-            work[7744 + k] = _7744
-            _7776 = q5_mpm
-            work[7776 + k] = _7776
-            _7808 = q6_mpm
-            work[7808 + k] = _7808
-            _7840 = q2_mmp
-            work[7840 + k] = _7840
-            _7872 = q3_mmp
-            work[7872 + k] = _7872
-            _7904 = angle1______
-            work[7904 + k] = _7904
-            _7936 = q5_mmp
-            work[7936 + k] = _7936
-            _7968 = angle1__________
-            work[7968 + k] = _7968
-            _8000 = q4_mmm
-            work[8000 + k] = _8000
-            _8032 = q5_mmm
-            work[8032 + k] = _8032
-            _8064 = q6_mmm
-            work[8064 + k] = _8064
-            work[8096 + k] = (
-                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = q2_ppp
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1___
+            work[2176 + k] = _2176
+            _2208 = q5_ppp
+            work[2208 + k] = _2208
+            _2240 = angle1_______
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = q5_ppm
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = q2_pmp
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1____
+            work[2432 + k] = _2432
+            _2464 = q5_pmp
+            work[2464 + k] = _2464
+            _2496 = angle1________
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = q5_pmm
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = q2_mpp
+            work[2656 + k] = _2656
+            _2688 = q3_mpp
+            work[2688 + k] = _2688
+            _2720 = angle1_____
+            work[2720 + k] = _2720
+            _2752 = q5_mpp
+            work[2752 + k] = _2752
+            _2784 = angle1_________
+            work[2784 + k] = _2784
+            _2816 = q4_mpm
+            work[2816 + k] = _2816
+            _2848 = q5_mpm
+            work[2848 + k] = _2848
+            _2880 = q6_mpm
+            work[2880 + k] = _2880
+            _2912 = q2_mmp
+            work[2912 + k] = _2912
+            _2944 = q3_mmp
+            work[2944 + k] = _2944
+            _2976 = angle1______
+            work[2976 + k] = _2976
+            _3008 = q5_mmp
+            work[3008 + k] = _3008
+            _3040 = angle1__________
+            work[3040 + k] = _3040
+            _3072 = q4_mmm
+            work[3072 + k] = _3072
+            _3104 = q5_mmm
+            work[3104 + k] = _3104
+            _3136 = q6_mmm
+            work[3136 + k] = _3136
+            work[3168 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[8128 + k] = (
-                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3200 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[8160 + k] = (
-                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[8192 + k] = (
-                UNREACHABLE if _7008 != _7008 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3264 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[8224 + k] = (
-                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[8256 + k] = (
-                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[8288 + k] = (
-                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[8320 + k] = (
-                UNREACHABLE if _7552 != _7552 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

@@ -484,10 +484,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088, 1120, 1152],
-    [992, 1024, 1056, 1184, 1216, 1248],
+    [896, 928, 960, 992, 1024, 1056],
+    [896, 928, 960, 1088, 1120, 1152],
 ])
-_KINDS = np.array([1280, 1312])
+_KINDS = np.array([1184, 1216])
 _LEFT_OVER = 255
 
 
@@ -498,7 +498,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1344)
+    work = np.empty(1248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -538,51 +538,51 @@ def _in_tiles(T, q, status):
             v1 = T33 * T33 + T23 * T23
             doubt = v1 <= m1
             v2 = T33 * T21 - T23 * T31
-            work[608 + k] = q2_p
-            work[640 + k] = q1_p
-            work[672 + k] = q3_p
-            work[704 + k] = doubt
-            work[576 + k] = v2
-            work[736 + k] = T23
-            work[768 + k] = -math.sqrt(v1)
-            work[800 + k] = v2
-            work[832 + k] = -T33
-            work[864 + k] = T13
-            work[896 + k] = T33 * T22 - T23 * T32
-        for k in range(736, 832):
+            work[544 + k] = q2_p
+            work[576 + k] = q1_p
+            work[608 + k] = q3_p
+            work[640 + k] = doubt
+            work[672 + k] = v2
+            work[704 + k] = T23
+            work[736 + k] = -math.sqrt(v1)
+            work[768 + k] = v2
+            work[800 + k] = -T33
+            work[832 + k] = T13
+            work[864 + k] = T33 * T22 - T23 * T32
+        for k in range(704, 800):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T23 = work[192 + k]
-            v2 = work[576 + k]
-            q2_p = work[608 + k]
-            q1_p = work[640 + k]
-            q3_p = work[672 + k]
-            doubt = work[704 + k] != 0.0
-            angle1 = work[736 + k]
-            angle1_ = work[768 + k]
-            angle1__ = work[800 + k]
+            q2_p = work[544 + k]
+            q1_p = work[576 + k]
+            q3_p = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            v2 = work[672 + k]
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
             q4_m = angle1 - math.copysign(half_turn, T23) * h1
             q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
-            _992 = q1_p
+            _896 = q1_p
+            work[896 + k] = _896
+            _928 = q2_p
+            work[928 + k] = _928
+            _960 = q3_p
+            work[960 + k] = _960
+            _992 = angle1
             work[992 + k] = _992
-            _1024 = q2_p
+            _1024 = angle1_
             work[1024 + k] = _1024
-            _1056 = q3_p
+            _1056 = angle1__
             work[1056 + k] = _1056
-            _1088 = angle1
+            _1088 = q4_m
             work[1088 + k] = _1088
-            _1120 = angle1_
+            _1120 = -angle1_
             work[1120 + k] = _1120
-            _1152 = angle1__
+            _1152 = q6_m
             work[1152 + k] = _1152
-            _1184 = q4_m
-            work[1184 + k] = _1184
-            _1216 = -angle1_
-            work[1216 + k] = _1216
-            _1248 = q6_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1312 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1184 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1216 + k] = UNREACHABLE if _896 != _896 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

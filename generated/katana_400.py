@@ -886,12 +886,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [4384, 4416, 4448, 4480, 4512],
-    [4544, 4576, 4608, 4640, 4672],
-    [4704, 4736, 4768, 4800, 4832],
-    [4864, 4896, 4928, 4960, 4992],
+    [1312, 1344, 1376, 1408, 1440],
+    [1472, 1504, 1536, 1568, 1600],
+    [1632, 1664, 1696, 1728, 1760],
+    [1792, 1824, 1856, 1888, 1920],
 ])
-_KINDS = np.array([5024, 5056, 5088, 5120])
+_KINDS = np.array([1952, 1984, 2016, 2048])
 _LEFT_OVER = 255
 
 
@@ -902,7 +902,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5152)
+    work = np.empty(2080)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1034,50 +1034,50 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or
                 free2_pp))))
             )
-            work[1472 + k] = Z2_5
-            work[2560 + k] = v10
-            work[2592 + k] = v29
-            work[2624 + k] = v31
-            work[2656 + k] = v32
-            work[2688 + k] = v33
-            work[2720 + k] = v34
-            work[2752 + k] = doubt
-            work[2784 + k] = T24
-            work[2816 + k] = -Z2_234
-            work[2848 + k] = -Z2_5
-            work[2880 + k] = w3
-            work[2912 + k] = S2_pp
-            work[2944 + k] = S2_pm
-            work[2976 + k] = S2_pm
-            work[3008 + k] = S2_pp
-            work[3040 + k] = T14
-            work[3072 + k] = T33
-            work[3104 + k] = -Z1_5
-            work[3136 + k] = K3
-            work[3168 + k] = C2_pp
-            work[3200 + k] = C2_pm
-            work[3232 + k] = -C2_pm
-            work[3264 + k] = -C2_pp
-        for k in range(2784, 3040):
+            work[544 + k] = Z2_5
+            work[576 + k] = v10
+            work[608 + k] = v29
+            work[640 + k] = v31
+            work[672 + k] = v32
+            work[704 + k] = v33
+            work[736 + k] = v34
+            work[768 + k] = doubt
+            work[800 + k] = T24
+            work[832 + k] = -Z2_234
+            work[864 + k] = -Z2_5
+            work[896 + k] = w3
+            work[928 + k] = S2_pp
+            work[960 + k] = S2_pm
+            work[992 + k] = S2_pm
+            work[1024 + k] = S2_pp
+            work[1056 + k] = T14
+            work[1088 + k] = T33
+            work[1120 + k] = -Z1_5
+            work[1152 + k] = K3
+            work[1184 + k] = C2_pp
+            work[1216 + k] = C2_pm
+            work[1248 + k] = -C2_pm
+            work[1280 + k] = -C2_pp
+        for k in range(800, 1056):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Z2_5 = work[1472 + k]
-            v10 = work[2560 + k]
-            v29 = work[2592 + k]
-            v31 = work[2624 + k]
-            v32 = work[2656 + k]
-            v33 = work[2688 + k]
-            v34 = work[2720 + k]
-            doubt = work[2752 + k] != 0.0
-            angle1 = work[2784 + k]
-            angle1_ = work[2816 + k]
-            angle1__ = work[2848 + k]
-            angle1___ = work[2880 + k]
-            angle1____ = work[2912 + k]
-            angle1_____ = work[2944 + k]
-            angle1______ = work[2976 + k]
-            angle1_______ = work[3008 + k]
+            Z2_5 = work[544 + k]
+            v10 = work[576 + k]
+            v29 = work[608 + k]
+            v31 = work[640 + k]
+            v32 = work[672 + k]
+            v33 = work[704 + k]
+            v34 = work[736 + k]
+            doubt = work[768 + k] != 0.0
+            angle1 = work[800 + k]
+            angle1_ = work[832 + k]
+            angle1__ = work[864 + k]
+            angle1___ = work[896 + k]
+            angle1____ = work[928 + k]
+            angle1_____ = work[960 + k]
+            angle1______ = work[992 + k]
+            angle1_______ = work[1024 + k]
             v35 = angle1_ - (angle1___ + angle1____) - offset4
             v36 = angle1_ - (angle1_____ - angle1___) - offset4
             v37 = offset4 + (angle1_ + (angle1___ + angle1______))
@@ -1112,50 +1112,50 @@ def _in_tiles(T, q, status):
             q5_pm = v32 + v47
             q5_mp = v33 + v48
             q5_mm = v34 + v48
-            _4384 = q1_pp
-            work[4384 + k] = _4384
-            _4416 = q2_pp
-            work[4416 + k] = _4416
-            _4448 = q3_pp
-            work[4448 + k] = _4448
-            _4480 = q4_pp
-            work[4480 + k] = _4480
-            _4512 = q5_pp
-            work[4512 + k] = _4512
-            _4544 = q1_pm
-            work[4544 + k] = _4544
-            _4576 = q2_pm
-            work[4576 + k] = _4576
-            _4608 = q3_pm
-            work[4608 + k] = _4608
-            _4640 = q4_pm
-            work[4640 + k] = _4640
-            _4672 = q5_pm
-            work[4672 + k] = _4672
-            _4704 = q1_mp
-            work[4704 + k] = _4704
-            _4736 = q2_mp
-            work[4736 + k] = _4736
-            _4768 = q3_mp
-            work[4768 + k] = _4768
-            _4800 = q4_mp
-            work[4800 + k] = _4800
-            _4832 = q5_mp
-            work[4832 + k] = _4832
-            _4864 = q1_mm
-            work[4864 + k] = _4864
-            _4896 = q2_mm
-            work[4896 + k] = _4896
-            _4928 = q3_mm
-            work[4928 + k] = _4928
-            _4960 = q4_mm
-            work[4960 + k] = _4960
-            _4992 = q5_mm
-            work[4992 + k] = _4992
-            work[5024 + k] = UNREACHABLE if _4384 != _4384 else OK
-            work[5056 + k] = UNREACHABLE if _4544 != _4544 else OK
-            work[5088 + k] = UNREACHABLE if _4704 != _4704 else OK
-            work[5120 + k] = UNREACHABLE if _4864 != _4864 else OK
+            _1312 = q1_pp
+            work[1312 + k] = _1312
+            _1344 = q2_pp
+            work[1344 + k] = _1344
+            _1376 = q3_pp
+            work[1376 + k] = _1376
+            _1408 = q4_pp
+            work[1408 + k] = _1408
+            _1440 = q5_pp
+            work[1440 + k] = _1440
+            _1472 = q1_pm
+            work[1472 + k] = _1472
+            _1504 = q2_pm
+            work[1504 + k] = _1504
+            _1536 = q3_pm
+            work[1536 + k] = _1536
+            _1568 = q4_pm
+            work[1568 + k] = _1568
+            _1600 = q5_pm
+            work[1600 + k] = _1600
+            _1632 = q1_mp
+            work[1632 + k] = _1632
+            _1664 = q2_mp
+            work[1664 + k] = _1664
+            _1696 = q3_mp
+            work[1696 + k] = _1696
+            _1728 = q4_mp
+            work[1728 + k] = _1728
+            _1760 = q5_mp
+            work[1760 + k] = _1760
+            _1792 = q1_mm
+            work[1792 + k] = _1792
+            _1824 = q2_mm
+            work[1824 + k] = _1824
+            _1856 = q3_mm
+            work[1856 + k] = _1856
+            _1888 = q4_mm
+            work[1888 + k] = _1888
+            _1920 = q5_mm
+            work[1920 + k] = _1920
+            work[1952 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1984 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[2016 + k] = UNREACHABLE if _1632 != _1632 else OK
+            work[2048 + k] = UNREACHABLE if _1792 != _1792 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -904,16 +904,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6400, 6432, 6464, 6496, 6528, 6560],
-    [6400, 6432, 6464, 6592, 6624, 6656],
-    [6400, 6688, 6720, 6752, 6784, 6816],
-    [6400, 6688, 6720, 6848, 6880, 6912],
-    [6944, 6976, 6464, 7008, 7040, 7072],
-    [6944, 6976, 6464, 7104, 7136, 7168],
-    [6944, 7200, 6720, 7232, 7264, 7296],
-    [6944, 7200, 6720, 7328, 7360, 7392],
+    [2240, 2272, 2304, 2336, 2368, 2400],
+    [2240, 2272, 2304, 2432, 2464, 2496],
+    [2240, 2528, 2560, 2592, 2624, 2656],
+    [2240, 2528, 2560, 2688, 2720, 2752],
+    [2784, 2816, 2304, 2848, 2880, 2912],
+    [2784, 2816, 2304, 2944, 2976, 3008],
+    [2784, 3040, 2560, 3072, 3104, 3136],
+    [2784, 3040, 2560, 3168, 3200, 3232],
 ])
-_KINDS = np.array([7424, 7456, 7488, 7520, 7552, 7584, 7616, 7648])
+_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
 _LEFT_OVER = 255
 
 
@@ -924,7 +924,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7680)
+    work = np.empty(3520)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1033,98 +1033,98 @@ def _in_tiles(T, q, status):
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart) or (v12 <= m2 or v22 <= m3))))
             )
-            work[2560 + k] = wy
-            work[2624 + k] = v3
-            work[2080 + k] = v4
-            work[2112 + k] = c2m3_mm
-            work[1504 + k] = v16
-            work[1696 + k] = v17
-            work[1888 + k] = c4_mp
-            work[1312 + k] = c4_mm
-            work[1440 + k] = v20
-            work[2528 + k] = v28
-            work[1120 + k] = v29
-            work[2656 + k] = v38
-            work[2688 + k] = v39
-            work[1760 + k] = v57
-            work[896 + k] = v58
+            work[544 + k] = wy
+            work[576 + k] = v3
+            work[608 + k] = v4
+            work[640 + k] = c2m3_mm
+            work[672 + k] = v16
+            work[704 + k] = v17
+            work[736 + k] = c4_mp
+            work[768 + k] = c4_mm
+            work[800 + k] = v20
+            work[832 + k] = v28
+            work[864 + k] = v29
+            work[896 + k] = v38
+            work[928 + k] = v39
+            work[960 + k] = v57
+            work[992 + k] = v58
             work[1024 + k] = v59
-            work[2720 + k] = doubt
-            work[2752 + k] = wy
-            work[2784 + k] = S2_pp
-            work[2816 + k] = S2_pm
-            work[2848 + k] = S2_pm
-            work[2880 + k] = S2_pp
-            work[2912 + k] = v4
-            work[2944 + k] = -v20
-            work[2976 + k] = -v20
-            work[3008 + k] = v20
-            work[3040 + k] = v20
-            work[3072 + k] = math.sqrt(v22)
-            work[3104 + k] = math.sqrt(v23)
-            work[3136 + k] = math.sqrt(v24)
-            work[3168 + k] = math.sqrt(v25)
-            work[3200 + k] = v57
-            work[3232 + k] = v59
-            work[3264 + k] = -(c4_mp * v28 + -v20 * (v58 + -v16 * T31))
-            work[3296 + k] = -(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29))
-            work[3328 + k] = -X1
-            work[3360 + k] = C2_pp
-            work[3392 + k] = C2_pm
-            work[3424 + k] = -C2_pm
-            work[3456 + k] = -C2_pp
-            work[3488 + k] = -v5
-            work[3520 + k] = c4_pp
-            work[3552 + k] = c4_pm
-            work[3584 + k] = c4_mp
-            work[3616 + k] = c4_mm
-            work[3648 + k] = T33 * c2m3_pp + v15 * v18
-            work[3680 + k] = v48 + v16 * v18
-            work[3712 + k] = v48 - -v16 * v18
-            work[3744 + k] = T33 * c2m3_mm - v17 * v18
-            work[3776 + k] = c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27)
-            work[3808 + k] = c4_pm * v26 + -v20 * (v16 * T32 - v60)
-            work[3840 + k] = -(c4_mp * v26 + -v20 * (v60 + -v16 * T32))
-            work[3872 + k] = -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27))
-        for k in range(2752, 3328):
+            work[1056 + k] = doubt
+            work[1088 + k] = wy
+            work[1120 + k] = S2_pp
+            work[1152 + k] = S2_pm
+            work[1184 + k] = S2_pm
+            work[1216 + k] = S2_pp
+            work[1248 + k] = v4
+            work[1280 + k] = -v20
+            work[1312 + k] = -v20
+            work[1344 + k] = v20
+            work[1376 + k] = v20
+            work[1408 + k] = math.sqrt(v22)
+            work[1440 + k] = math.sqrt(v23)
+            work[1472 + k] = math.sqrt(v24)
+            work[1504 + k] = math.sqrt(v25)
+            work[1536 + k] = v57
+            work[1568 + k] = v59
+            work[1600 + k] = -(c4_mp * v28 + -v20 * (v58 + -v16 * T31))
+            work[1632 + k] = -(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29))
+            work[1664 + k] = -X1
+            work[1696 + k] = C2_pp
+            work[1728 + k] = C2_pm
+            work[1760 + k] = -C2_pm
+            work[1792 + k] = -C2_pp
+            work[1824 + k] = -v5
+            work[1856 + k] = c4_pp
+            work[1888 + k] = c4_pm
+            work[1920 + k] = c4_mp
+            work[1952 + k] = c4_mm
+            work[1984 + k] = T33 * c2m3_pp + v15 * v18
+            work[2016 + k] = v48 + v16 * v18
+            work[2048 + k] = v48 - -v16 * v18
+            work[2080 + k] = T33 * c2m3_mm - v17 * v18
+            work[2112 + k] = c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27)
+            work[2144 + k] = c4_pm * v26 + -v20 * (v16 * T32 - v60)
+            work[2176 + k] = -(c4_mp * v26 + -v20 * (v60 + -v16 * T32))
+            work[2208 + k] = -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27))
+        for k in range(1088, 1664):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             T31 = work[256 + k]
-            v58 = work[896 + k]
+            wy = work[544 + k]
+            v3 = work[576 + k]
+            v4 = work[608 + k]
+            c2m3_mm = work[640 + k]
+            v16 = work[672 + k]
+            v17 = work[704 + k]
+            c4_mp = work[736 + k]
+            c4_mm = work[768 + k]
+            v20 = work[800 + k]
+            v28 = work[832 + k]
+            v29 = work[864 + k]
+            v38 = work[896 + k]
+            v39 = work[928 + k]
+            v57 = work[960 + k]
+            v58 = work[992 + k]
             v59 = work[1024 + k]
-            v29 = work[1120 + k]
-            c4_mm = work[1312 + k]
-            v20 = work[1440 + k]
-            v16 = work[1504 + k]
-            v17 = work[1696 + k]
-            v57 = work[1760 + k]
-            c4_mp = work[1888 + k]
-            v4 = work[2080 + k]
-            c2m3_mm = work[2112 + k]
-            v28 = work[2528 + k]
-            wy = work[2560 + k]
-            v3 = work[2624 + k]
-            v38 = work[2656 + k]
-            v39 = work[2688 + k]
-            doubt = work[2720 + k] != 0.0
-            angle1 = work[2752 + k]
-            angle1_ = work[2784 + k]
-            angle1__ = work[2816 + k]
-            angle1___ = work[2848 + k]
-            angle1____ = work[2880 + k]
-            angle1_____ = work[2912 + k]
-            angle1______ = work[2944 + k]
-            angle1_______ = work[2976 + k]
-            angle1________ = work[3008 + k]
-            angle1_________ = work[3040 + k]
-            angle1__________ = work[3072 + k]
-            angle1___________ = work[3104 + k]
-            angle1____________ = work[3136 + k]
-            angle1_____________ = work[3168 + k]
-            angle1______________ = work[3200 + k]
-            angle1_______________ = work[3232 + k]
-            angle1________________ = work[3264 + k]
-            angle1_________________ = work[3296 + k]
+            doubt = work[1056 + k] != 0.0
+            angle1 = work[1088 + k]
+            angle1_ = work[1120 + k]
+            angle1__ = work[1152 + k]
+            angle1___ = work[1184 + k]
+            angle1____ = work[1216 + k]
+            angle1_____ = work[1248 + k]
+            angle1______ = work[1280 + k]
+            angle1_______ = work[1312 + k]
+            angle1________ = work[1344 + k]
+            angle1_________ = work[1376 + k]
+            angle1__________ = work[1408 + k]
+            angle1___________ = work[1440 + k]
+            angle1____________ = work[1472 + k]
+            angle1_____________ = work[1504 + k]
+            angle1______________ = work[1536 + k]
+            angle1_______________ = work[1568 + k]
+            angle1________________ = work[1600 + k]
+            angle1_________________ = work[1632 + k]
             v30 = angle1 - offset1
             v31 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
             v32 = angle1_ - offset2
@@ -1209,93 +1209,93 @@ def _in_tiles(T, q, status):
             outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
-            _6400 = q1_ppp
-            work[6400 + k] = _6400
-            _6432 = q2_ppp
-            work[6432 + k] = _6432
-            _6464 = q3_ppp
-            work[6464 + k] = _6464
-            _6496 = q4_ppp
-            work[6496 + k] = _6496
-            _6528 = q5_ppp
-            work[6528 + k] = _6528
-            _6560 = q6_ppp
-            work[6560 + k] = _6560
-            _6592 = q4_ppm
-            work[6592 + k] = _6592
-            _6624 = q5_ppm
-            work[6624 + k] = _6624
-            _6656 = q6_ppm
-            work[6656 + k] = _6656
-            _6688 = q2_pmp
-            work[6688 + k] = _6688
-            _6720 = q3_pmp
-            work[6720 + k] = _6720
-            _6752 = q4_pmp
-            work[6752 + k] = _6752
-            _6784 = q5_pmp
-            work[6784 + k] = _6784
-            _6816 = q6_pmp
-            work[6816 + k] = _6816
-            _6848 = q4_pmm
-            work[6848 + k] = _6848
-            _6880 = q5_pmm
-            work[6880 + k] = _6880
-            _6912 = q6_pmm
-            work[6912 + k] = _6912
-            _6944 = q1_mpp
-            work[6944 + k] = _6944
-            _6976 = q2_mpp
-            work[6976 + k] = _6976
-            _7008 = q4_mpp
-            work[7008 + k] = _7008
-            _7040 = q5_mpp
-            work[7040 + k] = _7040
-            _7072 = q6_mpp
-            work[7072 + k] = _7072
-            _7104 = q4_mpm
-            work[7104 + k] = _7104
-            _7136 = q5_mpm
-            work[7136 + k] = _7136
-            _7168 = q6_mpm
-            work[7168 + k] = _7168
-            _7200 = q2_mmp
-            work[7200 + k] = _7200
-            _7232 = q4_mmp
-            work[7232 + k] = _7232
-            _7264 = q5_mmp
-            work[7264 + k] = _7264
-            _7296 = q6_mmp
-            work[7296 + k] = _7296
-            _7328 = q4_mmm
-            work[7328 + k] = _7328
-            _7360 = q5_mmm
-            work[7360 + k] = _7360
-            _7392 = q6_mmm
-            work[7392 + k] = _7392
-            work[7424 + k] = (
-                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2240 = q1_ppp
+            work[2240 + k] = _2240
+            _2272 = q2_ppp
+            work[2272 + k] = _2272
+            _2304 = q3_ppp
+            work[2304 + k] = _2304
+            _2336 = q4_ppp
+            work[2336 + k] = _2336
+            _2368 = q5_ppp
+            work[2368 + k] = _2368
+            _2400 = q6_ppp
+            work[2400 + k] = _2400
+            _2432 = q4_ppm
+            work[2432 + k] = _2432
+            _2464 = q5_ppm
+            work[2464 + k] = _2464
+            _2496 = q6_ppm
+            work[2496 + k] = _2496
+            _2528 = q2_pmp
+            work[2528 + k] = _2528
+            _2560 = q3_pmp
+            work[2560 + k] = _2560
+            _2592 = q4_pmp
+            work[2592 + k] = _2592
+            _2624 = q5_pmp
+            work[2624 + k] = _2624
+            _2656 = q6_pmp
+            work[2656 + k] = _2656
+            _2688 = q4_pmm
+            work[2688 + k] = _2688
+            _2720 = q5_pmm
+            work[2720 + k] = _2720
+            _2752 = q6_pmm
+            work[2752 + k] = _2752
+            _2784 = q1_mpp
+            work[2784 + k] = _2784
+            _2816 = q2_mpp
+            work[2816 + k] = _2816
+            _2848 = q4_mpp
+            work[2848 + k] = _2848
+            _2880 = q5_mpp
+            work[2880 + k] = _2880
+            _2912 = q6_mpp
+            work[2912 + k] = _2912
+            _2944 = q4_mpm
+            work[2944 + k] = _2944
+            _2976 = q5_mpm
+            work[2976 + k] = _2976
+            _3008 = q6_mpm
+            work[3008 + k] = _3008
+            _3040 = q2_mmp
+            work[3040 + k] = _3040
+            _3072 = q4_mmp
+            work[3072 + k] = _3072
+            _3104 = q5_mmp
+            work[3104 + k] = _3104
+            _3136 = q6_mmp
+            work[3136 + k] = _3136
+            _3168 = q4_mmm
+            work[3168 + k] = _3168
+            _3200 = q5_mmm
+            work[3200 + k] = _3200
+            _3232 = q6_mmm
+            work[3232 + k] = _3232
+            work[3264 + k] = (
+                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[7456 + k] = (
-                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[7488 + k] = (
-                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[7520 + k] = (
-                UNREACHABLE if _6400 != _6400 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[7552 + k] = (
-                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[7584 + k] = (
-                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3424 + k] = (
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[7616 + k] = (
-                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3456 + k] = (
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[7648 + k] = (
-                UNREACHABLE if _6944 != _6944 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3488 + k] = (
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

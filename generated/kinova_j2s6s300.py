@@ -927,16 +927,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [7456, 7488, 7520, 7552, 7584, 7616],
-    [7456, 7488, 7520, 7648, 7680, 7712],
-    [7456, 7744, 7776, 7808, 7840, 7872],
-    [7456, 7744, 7776, 7904, 7936, 7968],
-    [8000, 8032, 7520, 8064, 8096, 8128],
-    [8000, 8032, 7520, 8160, 8192, 8224],
-    [8000, 8256, 7776, 8288, 8320, 8352],
-    [8000, 8256, 7776, 8384, 8416, 8448],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2144, 2688, 2720, 2752],
+    [2624, 2656, 2144, 2784, 2816, 2848],
+    [2624, 2880, 2400, 2912, 2944, 2976],
+    [2624, 2880, 2400, 3008, 3040, 3072],
 ])
-_KINDS = np.array([8480, 8512, 8544, 8576, 8608, 8640, 8672, 8704])
+_KINDS = np.array([3104, 3136, 3168, 3200, 3232, 3264, 3296, 3328])
 _LEFT_OVER = 255
 
 
@@ -947,7 +947,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(8736)
+    work = np.empty(3360)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1076,86 +1076,86 @@ def _in_tiles(T, q, status):
                 longest3_apart) or (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v19 <= m1
                 or v30 <= m2))))
             )
-            work[3200 + k] = v1
-            work[3232 + k] = v10
-            work[2560 + k] = v11
-            work[3264 + k] = v34
-            work[3296 + k] = v35
-            work[832 + k] = s6_pp
-            work[2464 + k] = s6_pm
-            work[1632 + k] = s6_mp
-            work[2016 + k] = s6_mm
-            work[3328 + k] = doubt
-            work[3360 + k] = -v26
-            work[3392 + k] = -v26
-            work[3424 + k] = -v27
-            work[3456 + k] = -v27
-            work[3488 + k] = -math.sqrt(v30)
-            work[3520 + k] = -math.sqrt(v31)
-            work[3552 + k] = -math.sqrt(v32)
-            work[3584 + k] = -math.sqrt(v33)
-            work[3616 + k] = v8
-            work[3648 + k] = v9
-            work[3680 + k] = S2_pp
-            work[3712 + k] = S2_pm
-            work[3744 + k] = S2_pm
-            work[3776 + k] = S2_pp
-            work[3808 + k] = -v11
-            work[3840 + k] = s6_pp
-            work[3872 + k] = s6_pm
-            work[3904 + k] = s6_mp
-            work[3936 + k] = s6_mm
-            work[3968 + k] = -X4_pp
-            work[4000 + k] = -X4_pm
-            work[4032 + k] = -X4_mp
-            work[4064 + k] = -X4_mm
-            work[4096 + k] = -(T33 * c2m3_pp + s2m3_pp * v24)
-            work[4128 + k] = v36 - s2m3_pm * v24
-            work[4160 + k] = v36 - -s2m3_pm * v25
-            work[4192 + k] = T33 * v23 - s2m3_mm * v25
-            work[4224 + k] = v5
-            work[4256 + k] = v6
-            work[4288 + k] = C2_pp
-            work[4320 + k] = C2_pm
-            work[4352 + k] = -C2_pm
-            work[4384 + k] = -C2_pp
-            work[4416 + k] = v13
-            work[4448 + k] = v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37
-            work[4480 + k] = X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32)
-            work[4512 + k] = X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32)
-            work[4544 + k] = X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32)
-        for k in range(3360, 3968):
+            work[544 + k] = v1
+            work[576 + k] = v10
+            work[608 + k] = v11
+            work[640 + k] = v34
+            work[672 + k] = v35
+            work[704 + k] = s6_pp
+            work[736 + k] = s6_pm
+            work[768 + k] = s6_mp
+            work[800 + k] = s6_mm
+            work[832 + k] = doubt
+            work[864 + k] = -v26
+            work[896 + k] = -v26
+            work[928 + k] = -v27
+            work[960 + k] = -v27
+            work[992 + k] = -math.sqrt(v30)
+            work[1024 + k] = -math.sqrt(v31)
+            work[1056 + k] = -math.sqrt(v32)
+            work[1088 + k] = -math.sqrt(v33)
+            work[1120 + k] = v8
+            work[1152 + k] = v9
+            work[1184 + k] = S2_pp
+            work[1216 + k] = S2_pm
+            work[1248 + k] = S2_pm
+            work[1280 + k] = S2_pp
+            work[1312 + k] = -v11
+            work[1344 + k] = s6_pp
+            work[1376 + k] = s6_pm
+            work[1408 + k] = s6_mp
+            work[1440 + k] = s6_mm
+            work[1472 + k] = -X4_pp
+            work[1504 + k] = -X4_pm
+            work[1536 + k] = -X4_mp
+            work[1568 + k] = -X4_mm
+            work[1600 + k] = -(T33 * c2m3_pp + s2m3_pp * v24)
+            work[1632 + k] = v36 - s2m3_pm * v24
+            work[1664 + k] = v36 - -s2m3_pm * v25
+            work[1696 + k] = T33 * v23 - s2m3_mm * v25
+            work[1728 + k] = v5
+            work[1760 + k] = v6
+            work[1792 + k] = C2_pp
+            work[1824 + k] = C2_pm
+            work[1856 + k] = -C2_pm
+            work[1888 + k] = -C2_pp
+            work[1920 + k] = v13
+            work[1952 + k] = v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37
+            work[1984 + k] = X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32)
+            work[2016 + k] = X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32)
+            work[2048 + k] = X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32)
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            s6_pp = work[832 + k]
-            s6_mp = work[1632 + k]
-            s6_mm = work[2016 + k]
-            s6_pm = work[2464 + k]
-            v11 = work[2560 + k]
-            v1 = work[3200 + k]
-            v10 = work[3232 + k]
-            v34 = work[3264 + k]
-            v35 = work[3296 + k]
-            doubt = work[3328 + k] != 0.0
-            angle1 = work[3360 + k]
-            angle1_ = work[3392 + k]
-            angle1__ = work[3424 + k]
-            angle1___ = work[3456 + k]
-            angle1____ = work[3488 + k]
-            angle1_____ = work[3520 + k]
-            angle1______ = work[3552 + k]
-            angle1_______ = work[3584 + k]
-            angle1________ = work[3616 + k]
-            angle1_________ = work[3648 + k]
-            angle1__________ = work[3680 + k]
-            angle1___________ = work[3712 + k]
-            angle1____________ = work[3744 + k]
-            angle1_____________ = work[3776 + k]
-            angle1______________ = work[3808 + k]
-            angle1_______________ = work[3840 + k]
-            angle1________________ = work[3872 + k]
-            angle1_________________ = work[3904 + k]
-            angle1__________________ = work[3936 + k]
+            v1 = work[544 + k]
+            v10 = work[576 + k]
+            v11 = work[608 + k]
+            v34 = work[640 + k]
+            v35 = work[672 + k]
+            s6_pp = work[704 + k]
+            s6_pm = work[736 + k]
+            s6_mp = work[768 + k]
+            s6_mm = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q4_ppm = angle1 - v34
             q4_pmm = angle1_ - v34
             q4_mpm = angle1__ - v35
@@ -1246,93 +1246,93 @@ def _in_tiles(T, q, status):
             outside_mpm = v86 or v91
             outside_mmp = v87 or v92
             outside_mmm = v88 or v92
-            _7456 = q1_ppp
-            work[7456 + k] = _7456
-            _7488 = q2_ppp
-            work[7488 + k] = _7488
-            _7520 = q3_ppp
-            work[7520 + k] = _7520
-            _7552 = angle1
-            work[7552 + k] = _7552
-            _7584 = q5_ppp
-            work[7584 + k] = _7584
-            _7616 = q6_ppp
-            work[7616 + k] = _7616
-            _7648 = q4_ppm
-            work[7648 + k] = _7648
-            _7680 = q5_ppm
-            work[7680 + k] = _7680
-            _7712 = q6_ppm
-            work[7712 + k] = _7712
-            _7744 = q2_pmp
-            work[7744 + k] = _7744
-            _7776 = q3_pmp
-            work[7776 + k] = _7776
-            _7808 = angle1_
-            work[7808 + k] = _7808
-            _7840 = q5_pmp
-            work[7840 + k] = _7840
-            _7872 = q6_pmp
-            work[7872 + k] = _7872
-            _7904 = q4_pmm
-            work[7904 + k] = _7904
-            _7936 = q5_pmm
-            work[7936 + k] = _7936
-            _7968 = q6_pmm
-            work[7968 + k] = _7968
-            _8000 = q1_mpp
-            work[8000 + k] = _8000
-            _8032 = q2_mpp
-            work[8032 + k] = _8032
-            _8064 = angle1__
-            work[8064 + k] = _8064
-            _8096 = q5_mpp
-            work[8096 + k] = _8096
-            _8128 = q6_mpp
-            work[8128 + k] = _8128
-            _8160 = q4_mpm
-            work[8160 + k] = _8160
-            _8192 = q5_mpm
-            work[8192 + k] = _8192
-            _8224 = q6_mpm
-            work[8224 + k] = _8224
-            _8256 = q2_mmp
-            work[8256 + k] = _8256
-            _8288 = angle1___
-            work[8288 + k] = _8288
-            _8320 = q5_mmp
-            work[8320 + k] = _8320
-            _8352 = q6_mmp
-            work[8352 + k] = _8352
-            _8384 = q4_mmm
-            work[8384 + k] = _8384
-            _8416 = q5_mmm
-            work[8416 + k] = _8416
-            _8448 = q6_mmm
-            work[8448 + k] = _8448
-            work[8480 + k] = (
-                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = q2_ppp
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1
+            work[2176 + k] = _2176
+            _2208 = q5_ppp
+            work[2208 + k] = _2208
+            _2240 = q6_ppp
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = q5_ppm
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = q2_pmp
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1_
+            work[2432 + k] = _2432
+            _2464 = q5_pmp
+            work[2464 + k] = _2464
+            _2496 = q6_pmp
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = q5_pmm
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = q2_mpp
+            work[2656 + k] = _2656
+            _2688 = angle1__
+            work[2688 + k] = _2688
+            _2720 = q5_mpp
+            work[2720 + k] = _2720
+            _2752 = q6_mpp
+            work[2752 + k] = _2752
+            _2784 = q4_mpm
+            work[2784 + k] = _2784
+            _2816 = q5_mpm
+            work[2816 + k] = _2816
+            _2848 = q6_mpm
+            work[2848 + k] = _2848
+            _2880 = q2_mmp
+            work[2880 + k] = _2880
+            _2912 = angle1___
+            work[2912 + k] = _2912
+            _2944 = q5_mmp
+            work[2944 + k] = _2944
+            _2976 = q6_mmp
+            work[2976 + k] = _2976
+            _3008 = q4_mmm
+            work[3008 + k] = _3008
+            _3040 = q5_mmm
+            work[3040 + k] = _3040
+            _3072 = q6_mmm
+            work[3072 + k] = _3072
+            work[3104 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[8512 + k] = (
-                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3136 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[8544 + k] = (
-                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3168 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[8576 + k] = (
-                UNREACHABLE if _7456 != _7456 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3200 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[8608 + k] = (
-                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[8640 + k] = (
-                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3264 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[8672 + k] = (
-                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[8704 + k] = (
-                UNREACHABLE if _8000 != _8000 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

@@ -1130,16 +1130,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [8800, 8832, 8864, 8896, 8928, 8960, 8992],
-    [8800, 8832, 8864, 8896, 9024, 9056, 9088],
-    [9120, 9152, 8864, 8896, 9184, 9216, 9248],
-    [9120, 9152, 8864, 8896, 9280, 9312, 9344],
-    [9376, 9408, 8864, 9440, 9472, 9504, 9536],
-    [9376, 9408, 8864, 9440, 9568, 9600, 9632],
-    [9664, 9696, 8864, 9440, 9728, 9760, 9792],
-    [9664, 9696, 8864, 9440, 9824, 9856, 9888],
+    [3872, 3904, 3936, 3968, 4000, 4032, 4064],
+    [3872, 3904, 3936, 3968, 4096, 4128, 4160],
+    [4192, 4224, 3936, 3968, 4256, 4288, 4320],
+    [4192, 4224, 3936, 3968, 4352, 4384, 4416],
+    [4448, 4480, 3936, 4512, 4544, 4576, 4608],
+    [4448, 4480, 3936, 4512, 4640, 4672, 4704],
+    [4736, 4768, 3936, 4512, 4800, 4832, 4864],
+    [4736, 4768, 3936, 4512, 4896, 4928, 4960],
 ])
-_KINDS = np.array([9920, 9952, 9984, 10016, 10048, 10080, 10112, 10144])
+_KINDS = np.array([4992, 5024, 5056, 5088, 5120, 5152, 5184, 5216])
 _LEFT_OVER = 255
 
 
@@ -1150,7 +1150,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(10176)
+    work = np.empty(5248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1220,41 +1220,41 @@ def _in_tiles(T, q_free, q, status):
             v92 = v6 * T11
             v93 = v6 * T21
             v133 = given1 < low3 or high3 < given1
-            work[992 + k] = wx
-            work[960 + k] = wy
-            work[576 + k] = D4
-            work[1024 + k] = v2
-            work[736 + k] = w4
-            work[896 + k] = v4
-            work[640 + k] = v6
-            work[864 + k] = N1
-            work[1056 + k] = free1
-            work[1088 + k] = inverse1
-            work[608 + k] = X2_2
-            work[672 + k] = Z1_2
-            work[1120 + k] = v20
-            work[1152 + k] = v35
-            work[1184 + k] = v36
-            work[1216 + k] = v37
-            work[1248 + k] = v65
-            work[1280 + k] = v66
-            work[1312 + k] = v67
-            work[1344 + k] = v78
-            work[1376 + k] = v79
-            work[1408 + k] = v80
-            work[1440 + k] = v91
-            work[1472 + k] = v92
-            work[1504 + k] = v93
-            work[1536 + k] = v133
-            work[1568 + k] = given1
-            work[1600 + k] = given1
-            work[1632 + k] = -v5
-            work[1664 + k] = -v3
-        for k in range(1568, 1600):
+            work[576 + k] = wx
+            work[608 + k] = wy
+            work[640 + k] = D4
+            work[672 + k] = v2
+            work[704 + k] = w4
+            work[736 + k] = v4
+            work[768 + k] = v6
+            work[800 + k] = N1
+            work[832 + k] = free1
+            work[864 + k] = inverse1
+            work[896 + k] = X2_2
+            work[928 + k] = Z1_2
+            work[960 + k] = v20
+            work[992 + k] = v35
+            work[1024 + k] = v36
+            work[1056 + k] = v37
+            work[1088 + k] = v65
+            work[1120 + k] = v66
+            work[1152 + k] = v67
+            work[1184 + k] = v78
+            work[1216 + k] = v79
+            work[1248 + k] = v80
+            work[1280 + k] = v91
+            work[1312 + k] = v92
+            work[1344 + k] = v93
+            work[1376 + k] = v133
+            work[1408 + k] = given1
+            work[1440 + k] = given1
+            work[1472 + k] = -v5
+            work[1504 + k] = -v3
+        for k in range(1408, 1440):
             work[k] = math.sin(work[k])
-        for k in range(1600, 1632):
+        for k in range(1440, 1472):
             work[k] = math.cos(work[k])
-        for k in range(1632, 1664):
+        for k in range(1472, 1504):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T11 = work[0 + k]
@@ -1267,34 +1267,34 @@ def _in_tiles(T, q_free, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             given1 = work[512 + k]
-            D4 = work[576 + k]
-            X2_2 = work[608 + k]
-            v6 = work[640 + k]
-            Z1_2 = work[672 + k]
-            w4 = work[736 + k]
-            N1 = work[864 + k]
-            v4 = work[896 + k]
-            wy = work[960 + k]
-            wx = work[992 + k]
-            v2 = work[1024 + k]
-            free1 = work[1056 + k] != 0.0
-            inverse1 = work[1088 + k]
-            v20 = work[1120 + k]
-            v35 = work[1152 + k]
-            v36 = work[1184 + k]
-            v37 = work[1216 + k]
-            v65 = work[1248 + k]
-            v66 = work[1280 + k]
-            v67 = work[1312 + k]
-            v78 = work[1344 + k]
-            v79 = work[1376 + k]
-            v80 = work[1408 + k]
-            v91 = work[1440 + k]
-            v92 = work[1472 + k]
-            v93 = work[1504 + k]
-            s3 = work[1568 + k]
-            c3 = work[1600 + k]
-            angle1________________ = work[1632 + k]
+            wx = work[576 + k]
+            wy = work[608 + k]
+            D4 = work[640 + k]
+            v2 = work[672 + k]
+            w4 = work[704 + k]
+            v4 = work[736 + k]
+            v6 = work[768 + k]
+            N1 = work[800 + k]
+            free1 = work[832 + k] != 0.0
+            inverse1 = work[864 + k]
+            X2_2 = work[896 + k]
+            Z1_2 = work[928 + k]
+            v20 = work[960 + k]
+            v35 = work[992 + k]
+            v36 = work[1024 + k]
+            v37 = work[1056 + k]
+            v65 = work[1088 + k]
+            v66 = work[1120 + k]
+            v67 = work[1152 + k]
+            v78 = work[1184 + k]
+            v79 = work[1216 + k]
+            v80 = work[1248 + k]
+            v91 = work[1280 + k]
+            v92 = work[1312 + k]
+            v93 = work[1344 + k]
+            s3 = work[1408 + k]
+            c3 = work[1440 + k]
+            angle1________________ = work[1472 + k]
             Z1 = d5 * (s3 * v6)
             D1 = N1 - Z1 * Z1
             v7 = 2.0 * abs(Z1)
@@ -1445,177 +1445,177 @@ def _in_tiles(T, q_free, q, status):
                 (merge_slack1 + v7) < D1)) or (free1 or -(reach_slack2 * (reach_slack2 + v2)) <= D4
                 and not (merge_slack2 * (merge_slack2 + v2) < D4)) or (v25 <= m1 or v59 <= m2))))
             )
-            work[3616 + k] = c1_pp
-            work[3008 + k] = s1_mp
-            work[5536 + k] = v28
-            work[2720 + k] = v29
-            work[3808 + k] = s2_pp
-            work[3456 + k] = s2_mp
-            work[4544 + k] = X5_pp
-            work[3072 + k] = X5_mp
-            work[4192 + k] = Y5_pp
-            work[2272 + k] = v58
-            work[3168 + k] = Y5_mp
-            work[5056 + k] = Y5_mm
-            work[3424 + k] = v82
-            work[5600 + k] = v84
-            work[2944 + k] = v87
-            work[3200 + k] = v89
-            work[2784 + k] = v90
-            work[5504 + k] = v94
-            work[4992 + k] = v95
-            work[1760 + k] = v96
-            work[2880 + k] = v97
-            work[5248 + k] = v101
-            work[3744 + k] = v102
-            work[5184 + k] = v103
-            work[3520 + k] = v104
-            work[2592 + k] = v105
-            work[4768 + k] = v110
-            work[5664 + k] = v134
-            work[5696 + k] = v135
-            work[5728 + k] = q3_ppp
-            work[5760 + k] = q4_ppp
-            work[5792 + k] = q4_mpp
-            work[5824 + k] = doubt
-            work[5856 + k] = Y5_pp
-            work[5888 + k] = -v58
-            work[5920 + k] = Y5_mp
-            work[5952 + k] = Y5_mm
-            work[5984 + k] = (
+            work[1536 + k] = c1_pp
+            work[1568 + k] = s1_mp
+            work[1600 + k] = v28
+            work[1632 + k] = v29
+            work[1664 + k] = s2_pp
+            work[1696 + k] = s2_mp
+            work[1728 + k] = X5_pp
+            work[1760 + k] = X5_mp
+            work[1792 + k] = Y5_pp
+            work[1824 + k] = v58
+            work[1856 + k] = Y5_mp
+            work[1888 + k] = Y5_mm
+            work[1920 + k] = v82
+            work[1952 + k] = v84
+            work[1984 + k] = v87
+            work[2016 + k] = v89
+            work[2048 + k] = v90
+            work[2080 + k] = v94
+            work[2112 + k] = v95
+            work[2144 + k] = v96
+            work[2176 + k] = v97
+            work[2208 + k] = v101
+            work[2240 + k] = v102
+            work[2272 + k] = v103
+            work[2304 + k] = v104
+            work[2336 + k] = v105
+            work[2368 + k] = v110
+            work[2400 + k] = v134
+            work[2432 + k] = v135
+            work[2464 + k] = q3_ppp
+            work[2496 + k] = q4_ppp
+            work[2528 + k] = q4_mpp
+            work[2560 + k] = doubt
+            work[2592 + k] = Y5_pp
+            work[2624 + k] = -v58
+            work[2656 + k] = Y5_mp
+            work[2688 + k] = Y5_mm
+            work[2720 + k] = (
                 -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp *
                 (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3
                 * v84)))
             )
-            work[6016 + k] = v105
-            work[6048 + k] = (
+            work[2752 + k] = v105
+            work[2784 + k] = (
                 -(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp *
                 (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 *
                 v87)))
             )
-            work[6080 + k] = v110
-            work[6112 + k] = v15
-            work[6144 + k] = v16
-            work[6176 + k] = -v16
-            work[6208 + k] = -v15
-            work[6240 + k] = S2_pp
-            work[6272 + k] = -S2_mp
-            work[6304 + k] = S2_mp
-            work[6336 + k] = -S2_pp
-            work[6368 + k] = math.sqrt(v59)
-            work[6400 + k] = math.sqrt(v60)
-            work[6432 + k] = math.sqrt(v61)
-            work[6464 + k] = math.sqrt(v62)
-            work[6496 + k] = -X5_pp
-            work[6528 + k] = -X5_pm
-            work[6560 + k] = -X5_mp
-            work[6592 + k] = -X5_mm
-            work[6624 + k] = (
+            work[2816 + k] = v110
+            work[2848 + k] = v15
+            work[2880 + k] = v16
+            work[2912 + k] = -v16
+            work[2944 + k] = -v15
+            work[2976 + k] = S2_pp
+            work[3008 + k] = -S2_mp
+            work[3040 + k] = S2_mp
+            work[3072 + k] = -S2_pp
+            work[3104 + k] = math.sqrt(v59)
+            work[3136 + k] = math.sqrt(v60)
+            work[3168 + k] = math.sqrt(v61)
+            work[3200 + k] = math.sqrt(v62)
+            work[3232 + k] = -X5_pp
+            work[3264 + k] = -X5_pm
+            work[3296 + k] = -X5_mp
+            work[3328 + k] = -X5_mm
+            work[3360 + k] = (
                 -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98)))) + Y5_pp *
                 (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 * (s3
                 * v71)))
             )
-            work[6656 + k] = (
+            work[3392 + k] = (
                 v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp * (v81 + (v109 + s1_pm * v80)) +
                 v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 * (v107 + s1_pm * T22))))
             )
-            work[6688 + k] = (
+            work[3424 + k] = (
                 -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 - v107)))) + Y5_mp * (s2_mp *
                 (v81 + (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 - v108)) + v4 * (s3 *
                 v74)))
             )
-            work[6720 + k] = (
+            work[3456 + k] = (
                 X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 * (c1_mm * T12 - v98)))) - Y5_mm *
                 (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm * v76 - v99)) - v4 * (s3
                 * v75))
             )
-            work[6752 + k] = v12
-            work[6784 + k] = v13
-            work[6816 + k] = -v13
-            work[6848 + k] = -v12
-            work[6880 + k] = -v22
-            work[6912 + k] = -v23
-            work[6944 + k] = -v23
-            work[6976 + k] = -v22
-            work[7008 + k] = (
+            work[3488 + k] = v12
+            work[3520 + k] = v13
+            work[3552 + k] = -v13
+            work[3584 + k] = -v12
+            work[3616 + k] = -v22
+            work[3648 + k] = -v23
+            work[3680 + k] = -v23
+            work[3712 + k] = -v22
+            work[3744 + k] = (
                 v6 * v46 - (s2_pp * (c1_pp * v66 + v121 - v68) + v28 * (v65 + (c1_pp * v63 + v122)))
             )
-            work[7040 + k] = (
+            work[3776 + k] = (
                 v6 * v47 - (v29 * (v65 + (v124 + s1_pm * v64)) - s2_mp * (v123 + s1_pm * v67 - v68))
             )
-            work[7072 + k] = (
+            work[3808 + k] = (
                 -(v6 * v48 + (s2_mp * (v68 + (s1_mp * v67 - v123)) + v29 * (v65 + (v124 - s1_mp *
                 v64))))
             )
-            work[7104 + k] = (
+            work[3840 + k] = (
                 v6 * v49 - (s2_mm * (v68 + (c1_mm * v66 - v121)) + v30 * (v65 + (v122 - c1_mm *
                 v63)))
             )
-        for k in range(5856, 6496):
+        for k in range(2592, 3232):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             T11 = work[0 + k]
             T21 = work[128 + k]
-            v4 = work[896 + k]
-            v91 = work[1440 + k]
-            v92 = work[1472 + k]
-            v93 = work[1504 + k]
-            v133 = work[1536 + k] != 0.0
-            s3 = work[1568 + k]
-            c3 = work[1600 + k]
-            v96 = work[1760 + k]
-            v58 = work[2272 + k]
-            v105 = work[2592 + k]
-            v29 = work[2720 + k]
-            v90 = work[2784 + k]
-            v97 = work[2880 + k]
-            v87 = work[2944 + k]
-            s1_mp = work[3008 + k]
-            X5_mp = work[3072 + k]
-            Y5_mp = work[3168 + k]
-            v89 = work[3200 + k]
-            v82 = work[3424 + k]
-            s2_mp = work[3456 + k]
-            v104 = work[3520 + k]
-            c1_pp = work[3616 + k]
-            v102 = work[3744 + k]
-            s2_pp = work[3808 + k]
-            Y5_pp = work[4192 + k]
-            X5_pp = work[4544 + k]
-            v110 = work[4768 + k]
-            v95 = work[4992 + k]
-            Y5_mm = work[5056 + k]
-            v103 = work[5184 + k]
-            v101 = work[5248 + k]
-            v94 = work[5504 + k]
-            v28 = work[5536 + k]
-            v84 = work[5600 + k]
-            v134 = work[5664 + k] != 0.0
-            v135 = work[5696 + k] != 0.0
-            q3_ppp = work[5728 + k]
-            q4_ppp = work[5760 + k]
-            q4_mpp = work[5792 + k]
-            doubt = work[5824 + k] != 0.0
-            angle1 = work[5856 + k]
-            angle1_ = work[5888 + k]
-            angle1__ = work[5920 + k]
-            angle1___ = work[5952 + k]
-            angle1____ = work[5984 + k]
-            angle1_____ = work[6016 + k]
-            angle1______ = work[6048 + k]
-            angle1_______ = work[6080 + k]
-            angle1________ = work[6112 + k]
-            angle1_________ = work[6144 + k]
-            angle1__________ = work[6176 + k]
-            angle1___________ = work[6208 + k]
-            angle1____________ = work[6240 + k]
-            angle1_____________ = work[6272 + k]
-            angle1______________ = work[6304 + k]
-            angle1_______________ = work[6336 + k]
-            angle1_________________ = work[6368 + k]
-            angle1__________________ = work[6400 + k]
-            angle1___________________ = work[6432 + k]
-            angle1____________________ = work[6464 + k]
+            v4 = work[736 + k]
+            v91 = work[1280 + k]
+            v92 = work[1312 + k]
+            v93 = work[1344 + k]
+            v133 = work[1376 + k] != 0.0
+            s3 = work[1408 + k]
+            c3 = work[1440 + k]
+            c1_pp = work[1536 + k]
+            s1_mp = work[1568 + k]
+            v28 = work[1600 + k]
+            v29 = work[1632 + k]
+            s2_pp = work[1664 + k]
+            s2_mp = work[1696 + k]
+            X5_pp = work[1728 + k]
+            X5_mp = work[1760 + k]
+            Y5_pp = work[1792 + k]
+            v58 = work[1824 + k]
+            Y5_mp = work[1856 + k]
+            Y5_mm = work[1888 + k]
+            v82 = work[1920 + k]
+            v84 = work[1952 + k]
+            v87 = work[1984 + k]
+            v89 = work[2016 + k]
+            v90 = work[2048 + k]
+            v94 = work[2080 + k]
+            v95 = work[2112 + k]
+            v96 = work[2144 + k]
+            v97 = work[2176 + k]
+            v101 = work[2208 + k]
+            v102 = work[2240 + k]
+            v103 = work[2272 + k]
+            v104 = work[2304 + k]
+            v105 = work[2336 + k]
+            v110 = work[2368 + k]
+            v134 = work[2400 + k] != 0.0
+            v135 = work[2432 + k] != 0.0
+            q3_ppp = work[2464 + k]
+            q4_ppp = work[2496 + k]
+            q4_mpp = work[2528 + k]
+            doubt = work[2560 + k] != 0.0
+            angle1 = work[2592 + k]
+            angle1_ = work[2624 + k]
+            angle1__ = work[2656 + k]
+            angle1___ = work[2688 + k]
+            angle1____ = work[2720 + k]
+            angle1_____ = work[2752 + k]
+            angle1______ = work[2784 + k]
+            angle1_______ = work[2816 + k]
+            angle1________ = work[2848 + k]
+            angle1_________ = work[2880 + k]
+            angle1__________ = work[2912 + k]
+            angle1___________ = work[2944 + k]
+            angle1____________ = work[2976 + k]
+            angle1_____________ = work[3008 + k]
+            angle1______________ = work[3040 + k]
+            angle1_______________ = work[3072 + k]
+            angle1_________________ = work[3104 + k]
+            angle1__________________ = work[3136 + k]
+            angle1___________________ = work[3168 + k]
+            angle1____________________ = work[3200 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
             q5_pmm = angle1_ - math.copysign(half_turn, -v58) * h1
             q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
@@ -1712,99 +1712,99 @@ def _in_tiles(T, q_free, q, status):
                 q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v139 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _8800 = q1_ppp
-            work[8800 + k] = _8800
-            _8832 = q2_ppp
-            work[8832 + k] = _8832
-            _8864 = q3_ppp
-            work[8864 + k] = _8864
-            _8896 = q4_ppp
-            work[8896 + k] = _8896
-            _8928 = angle1
-            work[8928 + k] = _8928
-            _8960 = q6_ppp
-            work[8960 + k] = _8960
-            _8992 = angle1____
-            work[8992 + k] = _8992
-            _9024 = q5_ppm
-            work[9024 + k] = _9024
-            _9056 = q6_ppm
-            work[9056 + k] = _9056
-            _9088 = q7_ppm
-            work[9088 + k] = _9088
-            _9120 = q1_pmp
-            work[9120 + k] = _9120
-            _9152 = q2_pmp
-            work[9152 + k] = _9152
-            _9184 = angle1_
-            work[9184 + k] = _9184
-            _9216 = q6_pmp
-            work[9216 + k] = _9216
-            _9248 = angle1_____
-            work[9248 + k] = _9248
-            _9280 = q5_pmm
-            work[9280 + k] = _9280
-            _9312 = q6_pmm
-            work[9312 + k] = _9312
-            _9344 = q7_pmm
-            work[9344 + k] = _9344
-            _9376 = q1_mpp
-            work[9376 + k] = _9376
-            _9408 = q2_mpp
-            work[9408 + k] = _9408
-            _9440 = q4_mpp
-            work[9440 + k] = _9440
-            _9472 = angle1__
-            work[9472 + k] = _9472
-            _9504 = q6_mpp
-            work[9504 + k] = _9504
-            _9536 = angle1______
-            work[9536 + k] = _9536
-            _9568 = q5_mpm
-            work[9568 + k] = _9568
-            _9600 = q6_mpm
-            work[9600 + k] = _9600
-            _9632 = q7_mpm
-            work[9632 + k] = _9632
-            _9664 = q1_mmp
-            work[9664 + k] = _9664
-            _9696 = q2_mmp
-            work[9696 + k] = _9696
-            _9728 = angle1___
-            work[9728 + k] = _9728
-            _9760 = q6_mmp
-            work[9760 + k] = _9760
-            _9792 = angle1_______
-            work[9792 + k] = _9792
-            _9824 = q5_mmm
-            work[9824 + k] = _9824
-            _9856 = q6_mmm
-            work[9856 + k] = _9856
-            _9888 = q7_mmm
-            work[9888 + k] = _9888
-            work[9920 + k] = (
-                UNREACHABLE if _8800 != _8800 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _3872 = q1_ppp
+            work[3872 + k] = _3872
+            _3904 = q2_ppp
+            work[3904 + k] = _3904
+            _3936 = q3_ppp
+            work[3936 + k] = _3936
+            _3968 = q4_ppp
+            work[3968 + k] = _3968
+            _4000 = angle1
+            work[4000 + k] = _4000
+            _4032 = q6_ppp
+            work[4032 + k] = _4032
+            _4064 = angle1____
+            work[4064 + k] = _4064
+            _4096 = q5_ppm
+            work[4096 + k] = _4096
+            _4128 = q6_ppm
+            work[4128 + k] = _4128
+            _4160 = q7_ppm
+            work[4160 + k] = _4160
+            _4192 = q1_pmp
+            work[4192 + k] = _4192
+            _4224 = q2_pmp
+            work[4224 + k] = _4224
+            _4256 = angle1_
+            work[4256 + k] = _4256
+            _4288 = q6_pmp
+            work[4288 + k] = _4288
+            _4320 = angle1_____
+            work[4320 + k] = _4320
+            _4352 = q5_pmm
+            work[4352 + k] = _4352
+            _4384 = q6_pmm
+            work[4384 + k] = _4384
+            _4416 = q7_pmm
+            work[4416 + k] = _4416
+            _4448 = q1_mpp
+            work[4448 + k] = _4448
+            _4480 = q2_mpp
+            work[4480 + k] = _4480
+            _4512 = q4_mpp
+            work[4512 + k] = _4512
+            _4544 = angle1__
+            work[4544 + k] = _4544
+            _4576 = q6_mpp
+            work[4576 + k] = _4576
+            _4608 = angle1______
+            work[4608 + k] = _4608
+            _4640 = q5_mpm
+            work[4640 + k] = _4640
+            _4672 = q6_mpm
+            work[4672 + k] = _4672
+            _4704 = q7_mpm
+            work[4704 + k] = _4704
+            _4736 = q1_mmp
+            work[4736 + k] = _4736
+            _4768 = q2_mmp
+            work[4768 + k] = _4768
+            _4800 = angle1___
+            work[4800 + k] = _4800
+            _4832 = q6_mmp
+            work[4832 + k] = _4832
+            _4864 = angle1_______
+            work[4864 + k] = _4864
+            _4896 = q5_mmm
+            work[4896 + k] = _4896
+            _4928 = q6_mmm
+            work[4928 + k] = _4928
+            _4960 = q7_mmm
+            work[4960 + k] = _4960
+            work[4992 + k] = (
+                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[9952 + k] = (
-                UNREACHABLE if _8800 != _8800 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[5024 + k] = (
+                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[9984 + k] = (
-                UNREACHABLE if _9120 != _9120 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[5056 + k] = (
+                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[10016 + k] = (
-                UNREACHABLE if _9120 != _9120 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[5088 + k] = (
+                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[10048 + k] = (
-                UNREACHABLE if _9376 != _9376 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[5120 + k] = (
+                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[10080 + k] = (
-                UNREACHABLE if _9376 != _9376 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[5152 + k] = (
+                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[10112 + k] = (
-                UNREACHABLE if _9664 != _9664 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[5184 + k] = (
+                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[10144 + k] = (
-                UNREACHABLE if _9664 != _9664 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[5216 + k] = (
+                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[544 + k] = 1.0 if doubt else work[544 + k]
         for k in range(count):

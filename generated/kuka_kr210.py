@@ -839,16 +839,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [5632, 5664, 5696, 5728, 5760, 5792],
-    [5632, 5664, 5696, 5824, 5856, 5888],
-    [5632, 5920, 5952, 5984, 6016, 6048],
-    [5632, 5920, 5952, 6080, 6112, 6144],
-    [6176, 6208, 6240, 6272, 6304, 6336],
-    [6176, 6208, 6240, 6368, 6400, 6432],
-    [6176, 6464, 6496, 6528, 6560, 6592],
-    [6176, 6464, 6496, 6624, 6656, 6688],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2688, 2720, 2752, 2784],
+    [2624, 2656, 2688, 2816, 2848, 2880],
+    [2624, 2912, 2944, 2976, 3008, 3040],
+    [2624, 2912, 2944, 3072, 3104, 3136],
 ])
-_KINDS = np.array([6720, 6752, 6784, 6816, 6848, 6880, 6912, 6944])
+_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
 _LEFT_OVER = 255
 
 
@@ -859,7 +859,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(6976)
+    work = np.empty(3424)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -996,86 +996,86 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[608 + k] = Y1
-            work[1344 + k] = w3_p
-            work[2688 + k] = w3_m
-            work[3488 + k] = v45
-            work[3520 + k] = v46
-            work[864 + k] = v51
-            work[928 + k] = v52
-            work[3296 + k] = v53
-            work[3168 + k] = v54
-            work[3552 + k] = doubt
-            work[3584 + k] = Y1
-            work[3616 + k] = w3_p
-            work[3648 + k] = w3_m
-            work[3680 + k] = -v39
-            work[3712 + k] = -v39
-            work[3744 + k] = v39
-            work[3776 + k] = v39
-            work[3808 + k] = math.sqrt(v41)
-            work[3840 + k] = math.sqrt(v42)
-            work[3872 + k] = math.sqrt(v43)
-            work[3904 + k] = math.sqrt(v44)
-            work[3936 + k] = v51
-            work[3968 + k] = v52
-            work[4000 + k] = v53
-            work[4032 + k] = v54
-            work[4064 + k] = S2_pp
-            work[4096 + k] = S2_pm
-            work[4128 + k] = S2_mp
-            work[4160 + k] = S2_mm
-            work[4192 + k] = -t14
-            work[4224 + k] = K3_p
-            work[4256 + k] = K3_m
-            work[4288 + k] = -X4_pp
-            work[4320 + k] = -X4_pm
-            work[4352 + k] = v37
-            work[4384 + k] = v38
-            work[4416 + k] = -(T33 * c23_pp + s23_pp * v36)
-            work[4448 + k] = -(T33 * c23_pm + s23_pm * v36)
-            work[4480 + k] = s23_mp * v36 - T33 * c23_mp
-            work[4512 + k] = s23_mm * v36 - T33 * c23_mm
-            work[4544 + k] = -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32)
-            work[4576 + k] = -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32)
-            work[4608 + k] = v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47
-            work[4640 + k] = v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47
-            work[4672 + k] = C2_pp
-            work[4704 + k] = -v28
-            work[4736 + k] = C2_mp
-            work[4768 + k] = -v29
-        for k in range(3584, 4192):
+            work[544 + k] = Y1
+            work[576 + k] = w3_p
+            work[608 + k] = w3_m
+            work[640 + k] = v45
+            work[672 + k] = v46
+            work[704 + k] = v51
+            work[736 + k] = v52
+            work[768 + k] = v53
+            work[800 + k] = v54
+            work[832 + k] = doubt
+            work[864 + k] = Y1
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = -v39
+            work[992 + k] = -v39
+            work[1024 + k] = v39
+            work[1056 + k] = v39
+            work[1088 + k] = math.sqrt(v41)
+            work[1120 + k] = math.sqrt(v42)
+            work[1152 + k] = math.sqrt(v43)
+            work[1184 + k] = math.sqrt(v44)
+            work[1216 + k] = v51
+            work[1248 + k] = v52
+            work[1280 + k] = v53
+            work[1312 + k] = v54
+            work[1344 + k] = S2_pp
+            work[1376 + k] = S2_pm
+            work[1408 + k] = S2_mp
+            work[1440 + k] = S2_mm
+            work[1472 + k] = -t14
+            work[1504 + k] = K3_p
+            work[1536 + k] = K3_m
+            work[1568 + k] = -X4_pp
+            work[1600 + k] = -X4_pm
+            work[1632 + k] = v37
+            work[1664 + k] = v38
+            work[1696 + k] = -(T33 * c23_pp + s23_pp * v36)
+            work[1728 + k] = -(T33 * c23_pm + s23_pm * v36)
+            work[1760 + k] = s23_mp * v36 - T33 * c23_mp
+            work[1792 + k] = s23_mm * v36 - T33 * c23_mm
+            work[1824 + k] = -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32)
+            work[1856 + k] = -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32)
+            work[1888 + k] = v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47
+            work[1920 + k] = v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47
+            work[1952 + k] = C2_pp
+            work[1984 + k] = -v28
+            work[2016 + k] = C2_mp
+            work[2048 + k] = -v29
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            Y1 = work[608 + k]
-            v51 = work[864 + k]
-            v52 = work[928 + k]
-            w3_p = work[1344 + k]
-            w3_m = work[2688 + k]
-            v54 = work[3168 + k]
-            v53 = work[3296 + k]
-            v45 = work[3488 + k]
-            v46 = work[3520 + k]
-            doubt = work[3552 + k] != 0.0
-            angle1 = work[3584 + k]
-            angle1_ = work[3616 + k]
-            angle1__ = work[3648 + k]
-            angle1___ = work[3680 + k]
-            angle1____ = work[3712 + k]
-            angle1_____ = work[3744 + k]
-            angle1______ = work[3776 + k]
-            angle1_______ = work[3808 + k]
-            angle1________ = work[3840 + k]
-            angle1_________ = work[3872 + k]
-            angle1__________ = work[3904 + k]
-            angle1___________ = work[3936 + k]
-            angle1____________ = work[3968 + k]
-            angle1_____________ = work[4000 + k]
-            angle1______________ = work[4032 + k]
-            angle1_______________ = work[4064 + k]
-            angle1________________ = work[4096 + k]
-            angle1_________________ = work[4128 + k]
-            angle1__________________ = work[4160 + k]
+            Y1 = work[544 + k]
+            w3_p = work[576 + k]
+            w3_m = work[608 + k]
+            v45 = work[640 + k]
+            v46 = work[672 + k]
+            v51 = work[704 + k]
+            v52 = work[736 + k]
+            v53 = work[768 + k]
+            v54 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q3__pp = angle1_ - turn1
             v20 = turn1 + angle1_
             q3__mp = angle1__ - turn1
@@ -1102,82 +1102,82 @@ def _in_tiles(T, q, status):
             q3_mmp = (m5 if -v21 <= -half_turn else 0.0) - v21
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-            _5632 = q1_ppp
-            work[5632 + k] = _5632
-            _5664 = q2_ppp
-            work[5664 + k] = _5664
-            _5696 = q3_ppp
-            work[5696 + k] = _5696
-            _5728 = angle1___
-            work[5728 + k] = _5728
-            _5760 = angle1_______
-            work[5760 + k] = _5760
-            _5792 = angle1___________
-            work[5792 + k] = _5792
-            _5824 = q4_ppm
-            work[5824 + k] = _5824
-            _5856 = -angle1_______
-            work[5856 + k] = _5856
-            _5888 = q6_ppm
-            work[5888 + k] = _5888
-            _5920 = q2_pmp
-            work[5920 + k] = _5920
-            _5952 = q3_pmp
-            work[5952 + k] = _5952
-            _5984 = angle1____
-            work[5984 + k] = _5984
-            _6016 = angle1________
-            work[6016 + k] = _6016
-            _6048 = angle1____________
-            work[6048 + k] = _6048
-            _6080 = q4_pmm
-            work[6080 + k] = _6080
-            _6112 = -angle1________
-            work[6112 + k] = _6112
-            _6144 = q6_pmm
-            work[6144 + k] = _6144
-            _6176 = q1_mpp
-            work[6176 + k] = _6176
-            _6208 = q2_mpp
-            work[6208 + k] = _6208
-            _6240 = q3_mpp
-            work[6240 + k] = _6240
-            _6272 = angle1_____
-            work[6272 + k] = _6272
-            _6304 = angle1_________
-            work[6304 + k] = _6304
-            _6336 = angle1_____________
-            work[6336 + k] = _6336
-            _6368 = q4_mpm
-            work[6368 + k] = _6368
-            _6400 = -angle1_________
-            work[6400 + k] = _6400
-            _6432 = q6_mpm
-            work[6432 + k] = _6432
-            _6464 = q2_mmp
-            work[6464 + k] = _6464
-            _6496 = q3_mmp
-            work[6496 + k] = _6496
-            _6528 = angle1______
-            work[6528 + k] = _6528
-            _6560 = angle1__________
-            work[6560 + k] = _6560
-            _6592 = angle1______________
-            work[6592 + k] = _6592
-            _6624 = q4_mmm
-            work[6624 + k] = _6624
-            _6656 = -angle1__________
-            work[6656 + k] = _6656
-            _6688 = q6_mmm
-            work[6688 + k] = _6688
-            work[6720 + k] = UNREACHABLE if _5632 != _5632 else OK
-            work[6752 + k] = UNREACHABLE if _5632 != _5632 else OK
-            work[6784 + k] = UNREACHABLE if _5632 != _5632 else OK
-            work[6816 + k] = UNREACHABLE if _5632 != _5632 else OK
-            work[6848 + k] = UNREACHABLE if _6176 != _6176 else OK
-            work[6880 + k] = UNREACHABLE if _6176 != _6176 else OK
-            work[6912 + k] = UNREACHABLE if _6176 != _6176 else OK
-            work[6944 + k] = UNREACHABLE if _6176 != _6176 else OK
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = q2_ppp
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1___
+            work[2176 + k] = _2176
+            _2208 = angle1_______
+            work[2208 + k] = _2208
+            _2240 = angle1___________
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = -angle1_______
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = q2_pmp
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1____
+            work[2432 + k] = _2432
+            _2464 = angle1________
+            work[2464 + k] = _2464
+            _2496 = angle1____________
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = -angle1________
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = q2_mpp
+            work[2656 + k] = _2656
+            _2688 = q3_mpp
+            work[2688 + k] = _2688
+            _2720 = angle1_____
+            work[2720 + k] = _2720
+            _2752 = angle1_________
+            work[2752 + k] = _2752
+            _2784 = angle1_____________
+            work[2784 + k] = _2784
+            _2816 = q4_mpm
+            work[2816 + k] = _2816
+            _2848 = -angle1_________
+            work[2848 + k] = _2848
+            _2880 = q6_mpm
+            work[2880 + k] = _2880
+            _2912 = q2_mmp
+            work[2912 + k] = _2912
+            _2944 = q3_mmp
+            work[2944 + k] = _2944
+            _2976 = angle1______
+            work[2976 + k] = _2976
+            _3008 = angle1__________
+            work[3008 + k] = _3008
+            _3040 = angle1______________
+            work[3040 + k] = _3040
+            _3072 = q4_mmm
+            work[3072 + k] = _3072
+            _3104 = -angle1__________
+            work[3104 + k] = _3104
+            _3136 = q6_mmm
+            work[3136 + k] = _3136
+            work[3168 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3200 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3232 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3264 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3360 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3392 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

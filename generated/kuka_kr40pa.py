@@ -766,10 +766,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2688, 2720, 2752, 2784],
-    [2816, 2848, 2880, 2912],
+    [1024, 1056, 1088, 1120],
+    [1152, 1184, 1216, 1248],
 ])
-_KINDS = np.array([2944, 2976])
+_KINDS = np.array([1280, 1312])
 _LEFT_OVER = 255
 
 
@@ -780,7 +780,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3008)
+    work = np.empty(1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -879,34 +879,34 @@ def _in_tiles(T, q, status):
                 and not (shortest3_apart < N3 and N3 < longest3_apart) or (free234 or v3 <= m1) or
                 (free2_p or (free234 or free2_p)))
             )
-            work[1216 + k] = w3
-            work[1888 + k] = v23
-            work[1920 + k] = v24
-            work[1952 + k] = v25
-            work[1984 + k] = doubt
-            work[2016 + k] = -T31
-            work[2048 + k] = w3
-            work[2080 + k] = -v11
-            work[2112 + k] = -v12
-            work[2144 + k] = -T12
-            work[2176 + k] = T33
-            work[2208 + k] = K3
-            work[2240 + k] = C2_p
-            work[2272 + k] = C2_m
-            work[2304 + k] = T22
-        for k in range(2016, 2176):
+            work[544 + k] = w3
+            work[576 + k] = v23
+            work[608 + k] = v24
+            work[640 + k] = v25
+            work[672 + k] = doubt
+            work[704 + k] = -T31
+            work[736 + k] = w3
+            work[768 + k] = -v11
+            work[800 + k] = -v12
+            work[832 + k] = -T12
+            work[864 + k] = T33
+            work[896 + k] = K3
+            work[928 + k] = C2_p
+            work[960 + k] = C2_m
+            work[992 + k] = T22
+        for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
-            w3 = work[1216 + k]
-            v23 = work[1888 + k]
-            v24 = work[1920 + k]
-            v25 = work[1952 + k]
-            doubt = work[1984 + k] != 0.0
-            angle1 = work[2016 + k]
-            angle1_ = work[2048 + k]
-            angle1__ = work[2080 + k]
-            angle1___ = work[2112 + k]
-            angle1____ = work[2144 + k]
+            w3 = work[544 + k]
+            v23 = work[576 + k]
+            v24 = work[608 + k]
+            v25 = work[640 + k]
+            doubt = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            angle1____ = work[832 + k]
             v26 = angle1 - (angle1_ + angle1__)
             v27 = angle1 - (angle1___ - angle1_)
             v28 = v23 + (angle1____ + (w3 - w3))
@@ -924,24 +924,24 @@ def _in_tiles(T, q, status):
                 v25 + (v23 + (v27 - (m3 if half_turn < v27 else 0.0) + (m3 if v27 <= -half_turn else
                 0.0)))
             )
-            _2688 = q1_p
-            work[2688 + k] = _2688
-            _2720 = q2_p
-            work[2720 + k] = _2720
-            _2752 = q3_p
-            work[2752 + k] = _2752
-            _2784 = q4_p
-            work[2784 + k] = _2784
-            _2816 = q1_m
-            work[2816 + k] = _2816
-            _2848 = q2_m
-            work[2848 + k] = _2848
-            _2880 = q3_m
-            work[2880 + k] = _2880
-            _2912 = q4_m
-            work[2912 + k] = _2912
-            work[2944 + k] = UNREACHABLE if _2688 != _2688 else OK
-            work[2976 + k] = UNREACHABLE if _2816 != _2816 else OK
+            _1024 = q1_p
+            work[1024 + k] = _1024
+            _1056 = q2_p
+            work[1056 + k] = _1056
+            _1088 = q3_p
+            work[1088 + k] = _1088
+            _1120 = q4_p
+            work[1120 + k] = _1120
+            _1152 = q1_m
+            work[1152 + k] = _1152
+            _1184 = q2_m
+            work[1184 + k] = _1184
+            _1216 = q3_m
+            work[1216 + k] = _1216
+            _1248 = q4_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

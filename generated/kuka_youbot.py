@@ -923,12 +923,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [5184, 5216, 5248, 5280, 5312],
-    [5344, 5376, 5408, 5440, 5472],
-    [5504, 5536, 5568, 5600, 5632],
-    [5664, 5696, 5728, 5760, 5792],
+    [1408, 1440, 1472, 1504, 1536],
+    [1568, 1600, 1632, 1664, 1696],
+    [1728, 1760, 1792, 1824, 1856],
+    [1888, 1920, 1952, 1984, 2016],
 ])
-_KINDS = np.array([5824, 5856, 5888, 5920])
+_KINDS = np.array([2048, 2080, 2112, 2144])
 _LEFT_OVER = 255
 
 
@@ -939,7 +939,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5952)
+    work = np.empty(2176)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1096,55 +1096,55 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m3 or (free234 or v1 <=
                 m1)))))))
             )
-            work[3104 + k] = S5
-            work[3200 + k] = v11
-            work[3232 + k] = v12
-            work[3264 + k] = v35
-            work[3296 + k] = v36
-            work[3328 + k] = v37
-            work[3360 + k] = v38
-            work[3392 + k] = v39
-            work[3424 + k] = doubt
-            work[3456 + k] = T24
-            work[3488 + k] = Z2_234
-            work[3520 + k] = -S5
-            work[3552 + k] = w3_p
-            work[3584 + k] = w3_m
-            work[3616 + k] = S2_pp
-            work[3648 + k] = S2_pm
-            work[3680 + k] = S2_mp
-            work[3712 + k] = S2_mm
-            work[3744 + k] = T14
-            work[3776 + k] = -T33
-            work[3808 + k] = -C5
-            work[3840 + k] = K3_p
-            work[3872 + k] = K3_m
-            work[3904 + k] = C2_pp
-            work[3936 + k] = C2_pm
-            work[3968 + k] = C2_mp
-            work[4000 + k] = C2_mm
-        for k in range(3456, 3744):
+            work[544 + k] = S5
+            work[576 + k] = v11
+            work[608 + k] = v12
+            work[640 + k] = v35
+            work[672 + k] = v36
+            work[704 + k] = v37
+            work[736 + k] = v38
+            work[768 + k] = v39
+            work[800 + k] = doubt
+            work[832 + k] = T24
+            work[864 + k] = Z2_234
+            work[896 + k] = -S5
+            work[928 + k] = w3_p
+            work[960 + k] = w3_m
+            work[992 + k] = S2_pp
+            work[1024 + k] = S2_pm
+            work[1056 + k] = S2_mp
+            work[1088 + k] = S2_mm
+            work[1120 + k] = T14
+            work[1152 + k] = -T33
+            work[1184 + k] = -C5
+            work[1216 + k] = K3_p
+            work[1248 + k] = K3_m
+            work[1280 + k] = C2_pp
+            work[1312 + k] = C2_pm
+            work[1344 + k] = C2_mp
+            work[1376 + k] = C2_mm
+        for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
-            S5 = work[3104 + k]
-            v11 = work[3200 + k]
-            v12 = work[3232 + k]
-            v35 = work[3264 + k]
-            v36 = work[3296 + k]
-            v37 = work[3328 + k]
-            v38 = work[3360 + k]
-            v39 = work[3392 + k]
-            doubt = work[3424 + k] != 0.0
-            angle1 = work[3456 + k]
-            angle1_ = work[3488 + k]
-            angle1__ = work[3520 + k]
-            angle1___ = work[3552 + k]
-            angle1____ = work[3584 + k]
-            angle1_____ = work[3616 + k]
-            angle1______ = work[3648 + k]
-            angle1_______ = work[3680 + k]
-            angle1________ = work[3712 + k]
+            S5 = work[544 + k]
+            v11 = work[576 + k]
+            v12 = work[608 + k]
+            v35 = work[640 + k]
+            v36 = work[672 + k]
+            v37 = work[704 + k]
+            v38 = work[736 + k]
+            v39 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
             v40 = angle1_____ - offset2
             v41 = angle1______ - offset2
             v42 = angle1_______ - offset2
@@ -1181,50 +1181,50 @@ def _in_tiles(T, q, status):
             q5_pm = v37 + v54
             q5_mp = v38 + v55
             q5_mm = v39 + v55
-            _5184 = q1_pp
-            work[5184 + k] = _5184
-            _5216 = q2_pp
-            work[5216 + k] = _5216
-            _5248 = q3_pp
-            work[5248 + k] = _5248
-            _5280 = q4_pp
-            work[5280 + k] = _5280
-            _5312 = q5_pp
-            work[5312 + k] = _5312
-            _5344 = q1_pm
-            work[5344 + k] = _5344
-            _5376 = q2_pm
-            work[5376 + k] = _5376
-            _5408 = q3_pm
-            work[5408 + k] = _5408
-            _5440 = q4_pm
-            work[5440 + k] = _5440
-            _5472 = q5_pm
-            work[5472 + k] = _5472
-            _5504 = q1_mp
-            work[5504 + k] = _5504
-            _5536 = q2_mp
-            work[5536 + k] = _5536
-            _5568 = q3_mp
-            work[5568 + k] = _5568
-            _5600 = q4_mp
-            work[5600 + k] = _5600
-            _5632 = q5_mp
-            work[5632 + k] = _5632
-            _5664 = q1_mm
-            work[5664 + k] = _5664
-            _5696 = q2_mm
-            work[5696 + k] = _5696
-            _5728 = q3_mm
-            work[5728 + k] = _5728
-            _5760 = q4_mm
-            work[5760 + k] = _5760
-            _5792 = q5_mm
-            work[5792 + k] = _5792
-            work[5824 + k] = UNREACHABLE if _5184 != _5184 else OK
-            work[5856 + k] = UNREACHABLE if _5344 != _5344 else OK
-            work[5888 + k] = UNREACHABLE if _5504 != _5504 else OK
-            work[5920 + k] = UNREACHABLE if _5664 != _5664 else OK
+            _1408 = q1_pp
+            work[1408 + k] = _1408
+            _1440 = q2_pp
+            work[1440 + k] = _1440
+            _1472 = q3_pp
+            work[1472 + k] = _1472
+            _1504 = q4_pp
+            work[1504 + k] = _1504
+            _1536 = q5_pp
+            work[1536 + k] = _1536
+            _1568 = q1_pm
+            work[1568 + k] = _1568
+            _1600 = q2_pm
+            work[1600 + k] = _1600
+            _1632 = q3_pm
+            work[1632 + k] = _1632
+            _1664 = q4_pm
+            work[1664 + k] = _1664
+            _1696 = q5_pm
+            work[1696 + k] = _1696
+            _1728 = q1_mp
+            work[1728 + k] = _1728
+            _1760 = q2_mp
+            work[1760 + k] = _1760
+            _1792 = q3_mp
+            work[1792 + k] = _1792
+            _1824 = q4_mp
+            work[1824 + k] = _1824
+            _1856 = q5_mp
+            work[1856 + k] = _1856
+            _1888 = q1_mm
+            work[1888 + k] = _1888
+            _1920 = q2_mm
+            work[1920 + k] = _1920
+            _1952 = q3_mm
+            work[1952 + k] = _1952
+            _1984 = q4_mm
+            work[1984 + k] = _1984
+            _2016 = q5_mm
+            work[2016 + k] = _2016
+            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
+            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -761,12 +761,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2720, 2752, 2784, 2816, 2848, 2880],
-    [2912, 2944, 2784, 2976, 3008, 2880],
-    [3040, 3072, 3104, 3136, 3168, 3200],
-    [3232, 3264, 3104, 3296, 3328, 3200],
+    [1344, 1376, 1408, 1440, 1472, 1504],
+    [1536, 1568, 1408, 1600, 1632, 1504],
+    [1664, 1696, 1728, 1760, 1792, 1824],
+    [1856, 1888, 1728, 1920, 1952, 1824],
 ])
-_KINDS = np.array([3360, 3392, 3424, 3456])
+_KINDS = np.array([1984, 2016, 2048, 2080])
 _LEFT_OVER = 255
 
 
@@ -777,7 +777,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3488)
+    work = np.empty(2112)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -858,53 +858,53 @@ def _in_tiles(T, q, status):
                 -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 *
                 (merge_slack1 + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
             )
-            work[1056 + k] = Z2_6
-            work[1568 + k] = v5
-            work[1600 + k] = q2_pp
-            work[1632 + k] = q2_pm
-            work[1664 + k] = q2_mp
-            work[1696 + k] = q2_mm
-            work[1728 + k] = q1_pp
-            work[1760 + k] = q1_pm
-            work[1792 + k] = q1_mp
-            work[1824 + k] = q1_mm
-            work[1856 + k] = doubt
-            work[1888 + k] = -T13
-            work[1920 + k] = -w3
-            work[1952 + k] = -Z2_6
-            work[1984 + k] = v12
-            work[2016 + k] = -v13
-            work[2048 + k] = -v13
-            work[2080 + k] = v12
-            work[2112 + k] = T23
-            work[2144 + k] = -T33
-            work[2176 + k] = -Z1_6
-            work[2208 + k] = -v9
-            work[2240 + k] = -v10
-            work[2272 + k] = v10
-            work[2304 + k] = v9
-        for k in range(1888, 2112):
+            work[544 + k] = Z2_6
+            work[576 + k] = v5
+            work[608 + k] = q2_pp
+            work[640 + k] = q2_pm
+            work[672 + k] = q2_mp
+            work[704 + k] = q2_mm
+            work[736 + k] = q1_pp
+            work[768 + k] = q1_pm
+            work[800 + k] = q1_mp
+            work[832 + k] = q1_mm
+            work[864 + k] = doubt
+            work[896 + k] = -T13
+            work[928 + k] = -w3
+            work[960 + k] = -Z2_6
+            work[992 + k] = v12
+            work[1024 + k] = -v13
+            work[1056 + k] = -v13
+            work[1088 + k] = v12
+            work[1120 + k] = T23
+            work[1152 + k] = -T33
+            work[1184 + k] = -Z1_6
+            work[1216 + k] = -v9
+            work[1248 + k] = -v10
+            work[1280 + k] = v10
+            work[1312 + k] = v9
+        for k in range(896, 1120):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
             T13 = work[64 + k]
-            Z2_6 = work[1056 + k]
-            v5 = work[1568 + k]
-            q2_pp = work[1600 + k]
-            q2_pm = work[1632 + k]
-            q2_mp = work[1664 + k]
-            q2_mm = work[1696 + k]
-            q1_pp = work[1728 + k]
-            q1_pm = work[1760 + k]
-            q1_mp = work[1792 + k]
-            q1_mm = work[1824 + k]
-            doubt = work[1856 + k] != 0.0
-            angle1 = work[1888 + k]
-            angle1_ = work[1920 + k]
-            angle1__ = work[1952 + k]
-            angle1___ = work[1984 + k]
-            angle1____ = work[2016 + k]
-            angle1_____ = work[2048 + k]
-            angle1______ = work[2080 + k]
+            Z2_6 = work[544 + k]
+            v5 = work[576 + k]
+            q2_pp = work[608 + k]
+            q2_pm = work[640 + k]
+            q2_mp = work[672 + k]
+            q2_mm = work[704 + k]
+            q1_pp = work[736 + k]
+            q1_pm = work[768 + k]
+            q1_mp = work[800 + k]
+            q1_mm = work[832 + k]
+            doubt = work[864 + k] != 0.0
+            angle1 = work[896 + k]
+            angle1_ = work[928 + k]
+            angle1__ = work[960 + k]
+            angle1___ = work[992 + k]
+            angle1____ = work[1024 + k]
+            angle1_____ = work[1056 + k]
+            angle1______ = work[1088 + k]
             v20 = angle1_ - angle1___
             v21 = angle1_ - angle1____
             v22 = angle1_ + angle1_____
@@ -917,50 +917,50 @@ def _in_tiles(T, q, status):
             q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
             q6_pp = angle1__ + v5
             q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
-            _2720 = q1_pp
-            work[2720 + k] = _2720
-            _2752 = q2_pp
-            work[2752 + k] = _2752
-            _2784 = q3_pp
-            work[2784 + k] = _2784
-            _2816 = q4_pp
-            work[2816 + k] = _2816
-            _2848 = angle1___
-            work[2848 + k] = _2848
-            _2880 = q6_pp
-            work[2880 + k] = _2880
-            _2912 = q1_pm
-            work[2912 + k] = _2912
-            _2944 = q2_pm
-            work[2944 + k] = _2944
-            _2976 = q4_pm
-            work[2976 + k] = _2976
-            _3008 = angle1____
-            work[3008 + k] = _3008
-            _3040 = q1_mp
-            work[3040 + k] = _3040
-            _3072 = q2_mp
-            work[3072 + k] = _3072
-            _3104 = q3_mp
-            work[3104 + k] = _3104
-            _3136 = q4_mp
-            work[3136 + k] = _3136
-            _3168 = angle1_____
-            work[3168 + k] = _3168
-            _3200 = q6_mp
-            work[3200 + k] = _3200
-            _3232 = q1_mm
-            work[3232 + k] = _3232
-            _3264 = q2_mm
-            work[3264 + k] = _3264
-            _3296 = q4_mm
-            work[3296 + k] = _3296
-            _3328 = angle1______
-            work[3328 + k] = _3328
-            work[3360 + k] = UNREACHABLE if _2720 != _2720 else OK
-            work[3392 + k] = UNREACHABLE if _2912 != _2912 else OK
-            work[3424 + k] = UNREACHABLE if _3040 != _3040 else OK
-            work[3456 + k] = UNREACHABLE if _3232 != _3232 else OK
+            _1344 = q1_pp
+            work[1344 + k] = _1344
+            _1376 = q2_pp
+            work[1376 + k] = _1376
+            _1408 = q3_pp
+            work[1408 + k] = _1408
+            _1440 = q4_pp
+            work[1440 + k] = _1440
+            _1472 = angle1___
+            work[1472 + k] = _1472
+            _1504 = q6_pp
+            work[1504 + k] = _1504
+            _1536 = q1_pm
+            work[1536 + k] = _1536
+            _1568 = q2_pm
+            work[1568 + k] = _1568
+            _1600 = q4_pm
+            work[1600 + k] = _1600
+            _1632 = angle1____
+            work[1632 + k] = _1632
+            _1664 = q1_mp
+            work[1664 + k] = _1664
+            _1696 = q2_mp
+            work[1696 + k] = _1696
+            _1728 = q3_mp
+            work[1728 + k] = _1728
+            _1760 = q4_mp
+            work[1760 + k] = _1760
+            _1792 = angle1_____
+            work[1792 + k] = _1792
+            _1824 = q6_mp
+            work[1824 + k] = _1824
+            _1856 = q1_mm
+            work[1856 + k] = _1856
+            _1888 = q2_mm
+            work[1888 + k] = _1888
+            _1920 = q4_mm
+            work[1920 + k] = _1920
+            _1952 = angle1______
+            work[1952 + k] = _1952
+            work[1984 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[2016 + k] = UNREACHABLE if _1536 != _1536 else OK
+            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2080 + k] = UNREACHABLE if _1856 != _1856 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -767,10 +767,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2752, 2784, 2816, 2848],
-    [2880, 2912, 2944, 2976],
+    [1024, 1056, 1088, 1120],
+    [1152, 1184, 1216, 1248],
 ])
-_KINDS = np.array([3008, 3040])
+_KINDS = np.array([1280, 1312])
 _LEFT_OVER = 255
 
 
@@ -781,7 +781,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3072)
+    work = np.empty(1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -881,34 +881,34 @@ def _in_tiles(T, q, status):
                 and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or
                 (free2_p or (free2m3m4 or free2_p)))
             )
-            work[1216 + k] = w3
-            work[1888 + k] = v23
-            work[1920 + k] = v24
-            work[1952 + k] = v25
-            work[1984 + k] = doubt
-            work[2016 + k] = T33
-            work[2048 + k] = w3
-            work[2080 + k] = S2_p
-            work[2112 + k] = S2_m
-            work[2144 + k] = T12
-            work[2176 + k] = -T31
-            work[2208 + k] = K3
-            work[2240 + k] = -v13
-            work[2272 + k] = -v14
-            work[2304 + k] = -T22
-        for k in range(2016, 2176):
+            work[544 + k] = w3
+            work[576 + k] = v23
+            work[608 + k] = v24
+            work[640 + k] = v25
+            work[672 + k] = doubt
+            work[704 + k] = T33
+            work[736 + k] = w3
+            work[768 + k] = S2_p
+            work[800 + k] = S2_m
+            work[832 + k] = T12
+            work[864 + k] = -T31
+            work[896 + k] = K3
+            work[928 + k] = -v13
+            work[960 + k] = -v14
+            work[992 + k] = -T22
+        for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
-            w3 = work[1216 + k]
-            v23 = work[1888 + k]
-            v24 = work[1920 + k]
-            v25 = work[1952 + k]
-            doubt = work[1984 + k] != 0.0
-            angle1 = work[2016 + k]
-            angle1_ = work[2048 + k]
-            angle1__ = work[2080 + k]
-            angle1___ = work[2112 + k]
-            angle1____ = work[2144 + k]
+            w3 = work[544 + k]
+            v23 = work[576 + k]
+            v24 = work[608 + k]
+            v25 = work[640 + k]
+            doubt = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            angle1____ = work[832 + k]
             v26 = angle1__ - offset2
             v27 = angle1___ - offset2
             v28 = angle1__ - angle1_ - angle1
@@ -928,24 +928,24 @@ def _in_tiles(T, q, status):
                 v25 + (v23 + (v29 - (m3 if half_turn < v29 else 0.0) + (m3 if v29 <= -half_turn else
                 0.0)))
             )
-            _2752 = q1_p
-            work[2752 + k] = _2752
-            _2784 = q2_p
-            work[2784 + k] = _2784
-            _2816 = q3_p
-            work[2816 + k] = _2816
-            _2848 = q4_p
-            work[2848 + k] = _2848
-            _2880 = q1_m
-            work[2880 + k] = _2880
-            _2912 = q2_m
-            work[2912 + k] = _2912
-            _2944 = q3_m
-            work[2944 + k] = _2944
-            _2976 = q4_m
-            work[2976 + k] = _2976
-            work[3008 + k] = UNREACHABLE if _2752 != _2752 else OK
-            work[3040 + k] = UNREACHABLE if _2880 != _2880 else OK
+            _1024 = q1_p
+            work[1024 + k] = _1024
+            _1056 = q2_p
+            work[1056 + k] = _1056
+            _1088 = q3_p
+            work[1088 + k] = _1088
+            _1120 = q4_p
+            work[1120 + k] = _1120
+            _1152 = q1_m
+            work[1152 + k] = _1152
+            _1184 = q2_m
+            work[1184 + k] = _1184
+            _1216 = q3_m
+            work[1216 + k] = _1216
+            _1248 = q4_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

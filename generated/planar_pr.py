@@ -390,10 +390,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [960, 992],
-    [1024, 1056],
+    [768, 800],
+    [832, 864],
 ])
-_KINDS = np.array([1088, 1120])
+_KINDS = np.array([896, 928])
 _LEFT_OVER = 255
 
 
@@ -404,7 +404,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1152)
+    work = np.empty(960)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -428,31 +428,31 @@ def _in_tiles(T, q, status):
             doubt = -k5 <= D1 and not (k6 < D1)
             q1_p = k7 * (v1 + w2)
             q1_m = k7 * (v1 - w2)
-            work[800 + k] = doubt
-            work[608 + k] = q1_p
-            work[672 + k] = q1_m
-            work[832 + k] = V1_2 - k2 * q1_p
-            work[864 + k] = V1_2 - k2 * q1_m
-            work[896 + k] = V2_2 - k3 * q1_p
-            work[928 + k] = V2_2 - k3 * q1_m
-        for k in range(832, 896):
+            work[544 + k] = doubt
+            work[576 + k] = q1_p
+            work[608 + k] = q1_m
+            work[640 + k] = V1_2 - k2 * q1_p
+            work[672 + k] = V1_2 - k2 * q1_m
+            work[704 + k] = V2_2 - k3 * q1_p
+            work[736 + k] = V2_2 - k3 * q1_m
+        for k in range(640, 704):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            q1_p = work[608 + k]
-            q1_m = work[672 + k]
-            doubt = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            _960 = q1_p
-            work[960 + k] = _960
-            _992 = angle1
-            work[992 + k] = _992
-            _1024 = q1_m
-            work[1024 + k] = _1024
-            _1056 = angle1_
-            work[1056 + k] = _1056
-            work[1088 + k] = UNREACHABLE if _960 != _960 else OK
-            work[1120 + k] = UNREACHABLE if _1024 != _1024 else OK
+            doubt = work[544 + k] != 0.0
+            q1_p = work[576 + k]
+            q1_m = work[608 + k]
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            _768 = q1_p
+            work[768 + k] = _768
+            _800 = angle1
+            work[800 + k] = _800
+            _832 = q1_m
+            work[832 + k] = _832
+            _864 = angle1_
+            work[864 + k] = _864
+            work[896 + k] = UNREACHABLE if _768 != _768 else OK
+            work[928 + k] = UNREACHABLE if _832 != _832 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -384,10 +384,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [896, 928],
-    [960, 992],
+    [736, 768],
+    [800, 832],
 ])
-_KINDS = np.array([1024, 1056])
+_KINDS = np.array([864, 896])
 _LEFT_OVER = 255
 
 
@@ -398,7 +398,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1088)
+    work = np.empty(928)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -419,34 +419,34 @@ def _in_tiles(T, q, status):
             outside_p = q2_p < low2 or high2 < q2_p
             outside_m = -q2_p < low2 or high2 < -q2_p
             work[544 + k] = q2_p
-            work[608 + k] = doubt
-            work[640 + k] = outside_p
-            work[672 + k] = outside_m
-            work[704 + k] = T14
-            work[736 + k] = -T24
-        for k in range(704, 736):
+            work[576 + k] = doubt
+            work[608 + k] = outside_p
+            work[640 + k] = outside_m
+            work[672 + k] = T14
+            work[704 + k] = -T24
+        for k in range(672, 704):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T14 = work[96 + k]
             q2_p = work[544 + k]
-            doubt = work[608 + k] != 0.0
-            outside_p = work[640 + k] != 0.0
-            outside_m = work[672 + k] != 0.0
-            angle1 = work[704 + k]
+            doubt = work[576 + k] != 0.0
+            outside_p = work[608 + k] != 0.0
+            outside_m = work[640 + k] != 0.0
+            angle1 = work[672 + k]
             v2 = angle1 - offset1
             v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
             q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
             q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
-            _896 = q1_p
-            work[896 + k] = _896
-            _928 = q2_p
-            work[928 + k] = _928
-            _960 = q1_m
-            work[960 + k] = _960
-            _992 = -q2_p
-            work[992 + k] = _992
-            work[1024 + k] = UNREACHABLE if _896 != _896 else (OUT_OF_LIMITS if outside_p else OK)
-            work[1056 + k] = UNREACHABLE if _960 != _960 else (OUT_OF_LIMITS if outside_m else OK)
+            _736 = q1_p
+            work[736 + k] = _736
+            _768 = q2_p
+            work[768 + k] = _768
+            _800 = q1_m
+            work[800 + k] = _800
+            _832 = -q2_p
+            work[832 + k] = _832
+            work[864 + k] = UNREACHABLE if _736 != _736 else (OUT_OF_LIMITS if outside_p else OK)
+            work[896 + k] = UNREACHABLE if _800 != _800 else (OUT_OF_LIMITS if outside_m else OK)
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

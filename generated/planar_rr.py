@@ -414,10 +414,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1184, 1216],
-    [1248, 1280],
+    [768, 800],
+    [832, 864],
 ])
-_KINDS = np.array([1312, 1344])
+_KINDS = np.array([896, 928])
 _LEFT_OVER = 255
 
 
@@ -428,7 +428,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1376)
+    work = np.empty(960)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -461,30 +461,30 @@ def _in_tiles(T, q, status):
                 and not (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p
                 <= m1)
             )
-            work[960 + k] = doubt
-            work[992 + k] = w2
-            work[1024 + k] = S1_p
-            work[1056 + k] = S1_m
-            work[1088 + k] = K2
-            work[1120 + k] = C1_p
-            work[1152 + k] = C1_m
-        for k in range(992, 1088):
+            work[544 + k] = doubt
+            work[576 + k] = w2
+            work[608 + k] = S1_p
+            work[640 + k] = S1_m
+            work[672 + k] = K2
+            work[704 + k] = C1_p
+            work[736 + k] = C1_m
+        for k in range(576, 672):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
-            doubt = work[960 + k] != 0.0
-            angle1 = work[992 + k]
-            angle1_ = work[1024 + k]
-            angle1__ = work[1056 + k]
-            _1184 = angle1_
-            work[1184 + k] = _1184
-            _1216 = angle1
-            work[1216 + k] = _1216
-            _1248 = angle1__
-            work[1248 + k] = _1248
-            _1280 = -angle1
-            work[1280 + k] = _1280
-            work[1312 + k] = UNREACHABLE if _1184 != _1184 else OK
-            work[1344 + k] = UNREACHABLE if _1248 != _1248 else OK
+            doubt = work[544 + k] != 0.0
+            angle1 = work[576 + k]
+            angle1_ = work[608 + k]
+            angle1__ = work[640 + k]
+            _768 = angle1_
+            work[768 + k] = _768
+            _800 = angle1
+            work[800 + k] = _800
+            _832 = angle1__
+            work[832 + k] = _832
+            _864 = -angle1
+            work[864 + k] = _864
+            work[896 + k] = UNREACHABLE if _768 != _768 else OK
+            work[928 + k] = UNREACHABLE if _832 != _832 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

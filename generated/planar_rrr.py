@@ -689,10 +689,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2304, 2336, 2368],
-    [2400, 2432, 2464],
+    [928, 960, 992],
+    [1024, 1056, 1088],
 ])
-_KINDS = np.array([2496, 2528])
+_KINDS = np.array([1120, 1152])
 _LEFT_OVER = 255
 
 
@@ -703,7 +703,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2560)
+    work = np.empty(1184)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -796,29 +796,29 @@ def _in_tiles(T, q, status):
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
                 (free123 or free1_p)))
             )
-            work[1664 + k] = v12
-            work[1696 + k] = v13
-            work[1728 + k] = v14
-            work[1760 + k] = doubt
-            work[1792 + k] = T21
-            work[1824 + k] = w2
-            work[1856 + k] = S1_p
-            work[1888 + k] = S1_m
-            work[1920 + k] = T11
-            work[1952 + k] = K2
-            work[1984 + k] = C1_p
-            work[2016 + k] = C1_m
-        for k in range(1792, 1920):
+            work[544 + k] = v12
+            work[576 + k] = v13
+            work[608 + k] = v14
+            work[640 + k] = doubt
+            work[672 + k] = T21
+            work[704 + k] = w2
+            work[736 + k] = S1_p
+            work[768 + k] = S1_m
+            work[800 + k] = T11
+            work[832 + k] = K2
+            work[864 + k] = C1_p
+            work[896 + k] = C1_m
+        for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[1664 + k]
-            v13 = work[1696 + k]
-            v14 = work[1728 + k]
-            doubt = work[1760 + k] != 0.0
-            angle1 = work[1792 + k]
-            angle1_ = work[1824 + k]
-            angle1__ = work[1856 + k]
-            angle1___ = work[1888 + k]
+            v12 = work[544 + k]
+            v13 = work[576 + k]
+            v14 = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
+            angle1___ = work[768 + k]
             v15 = angle1 - (angle1_ + angle1__)
             v16 = angle1 - (angle1___ - angle1_)
             q1_p = v13 + (angle1__ + v12)
@@ -833,20 +833,20 @@ def _in_tiles(T, q, status):
                 v14 + (v12 + (v16 - (m3 if half_turn < v16 else 0.0) + (m3 if v16 <= -half_turn else
                 0.0)))
             )
-            _2304 = q1_p
-            work[2304 + k] = _2304
-            _2336 = q2_p
-            work[2336 + k] = _2336
-            _2368 = q3_p
-            work[2368 + k] = _2368
-            _2400 = q1_m
-            work[2400 + k] = _2400
-            _2432 = q2_m
-            work[2432 + k] = _2432
-            _2464 = q3_m
-            work[2464 + k] = _2464
-            work[2496 + k] = UNREACHABLE if _2304 != _2304 else OK
-            work[2528 + k] = UNREACHABLE if _2400 != _2400 else OK
+            _928 = q1_p
+            work[928 + k] = _928
+            _960 = q2_p
+            work[960 + k] = _960
+            _992 = q3_p
+            work[992 + k] = _992
+            _1024 = q1_m
+            work[1024 + k] = _1024
+            _1056 = q2_m
+            work[1056 + k] = _1056
+            _1088 = q3_m
+            work[1088 + k] = _1088
+            work[1120 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1152 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -840,16 +840,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [5056, 5088, 5120, 5152, 5184, 5216],
-    [5056, 5088, 5120, 5248, 5280, 5312],
-    [5056, 5344, 5376, 5408, 5440, 5472],
-    [5056, 5344, 5376, 5504, 5536, 5568],
-    [5600, 5632, 5120, 5664, 5696, 5728],
-    [5600, 5632, 5120, 5760, 5792, 5824],
-    [5600, 5856, 5376, 5888, 5920, 5952],
-    [5600, 5856, 5376, 5984, 6016, 6048],
+    [1952, 1984, 2016, 2048, 2080, 2112],
+    [1952, 1984, 2016, 2144, 2176, 2208],
+    [1952, 2240, 2272, 2304, 2336, 2368],
+    [1952, 2240, 2272, 2400, 2432, 2464],
+    [2496, 2528, 2016, 2560, 2592, 2624],
+    [2496, 2528, 2016, 2656, 2688, 2720],
+    [2496, 2752, 2272, 2784, 2816, 2848],
+    [2496, 2752, 2272, 2880, 2912, 2944],
 ])
-_KINDS = np.array([6080, 6112, 6144, 6176, 6208, 6240, 6272, 6304])
+_KINDS = np.array([2976, 3008, 3040, 3072, 3104, 3136, 3168, 3200])
 _LEFT_OVER = 255
 
 
@@ -860,7 +860,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(6336)
+    work = np.empty(3232)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -998,82 +998,82 @@ def _in_tiles(T, q, status):
                 (free1 or -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not
                 (merge_slack1 * (merge_slack1 + v3) < D1)))))))
             )
-            work[3392 + k] = v4
-            work[3424 + k] = v17
-            work[1408 + k] = v25
-            work[2848 + k] = v26
-            work[3456 + k] = v27
-            work[3488 + k] = v49
-            work[3520 + k] = v50
-            work[2720 + k] = v75
-            work[544 + k] = v76
-            work[2976 + k] = v77
-            work[1472 + k] = v78
-            work[3552 + k] = q2_mpp
-            work[3584 + k] = q2_mmp
-            work[3616 + k] = doubt
-            work[3648 + k] = w3
-            work[3680 + k] = -v41
-            work[3712 + k] = -v41
-            work[3744 + k] = -v42
-            work[3776 + k] = -v42
-            work[3808 + k] = -math.sqrt(v45)
-            work[3840 + k] = -math.sqrt(v46)
-            work[3872 + k] = -math.sqrt(v47)
-            work[3904 + k] = -math.sqrt(v48)
-            work[3936 + k] = v75
-            work[3968 + k] = v76
-            work[4000 + k] = v77
-            work[4032 + k] = v78
-            work[4064 + k] = -v12
-            work[4096 + k] = -v13
-            work[4128 + k] = Z3
-            work[4160 + k] = -X4_pp
-            work[4192 + k] = -X4_pm
-            work[4224 + k] = v36
-            work[4256 + k] = v37
-            work[4288 + k] = -(v21 * v34 + s3_p * v32)
-            work[4320 + k] = -(v22 * v34 + s3_m * v32)
-            work[4352 + k] = s3_p * v33 - v21 * v35
-            work[4384 + k] = s3_m * v33 - v22 * v35
-            work[4416 + k] = v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54
-            work[4448 + k] = v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54
-            work[4480 + k] = v42 * (s3_p * v62 + v21 * v60) - v36 * v55
-            work[4512 + k] = v42 * (s3_m * v62 + v22 * v60) - v37 * v55
-            work[4544 + k] = v8
-            work[4576 + k] = -v9
-        for k in range(3648, 4128):
+            work[544 + k] = v4
+            work[576 + k] = v17
+            work[608 + k] = v25
+            work[640 + k] = v26
+            work[672 + k] = v27
+            work[704 + k] = v49
+            work[736 + k] = v50
+            work[768 + k] = v75
+            work[800 + k] = v76
+            work[832 + k] = v77
+            work[864 + k] = v78
+            work[896 + k] = q2_mpp
+            work[928 + k] = q2_mmp
+            work[960 + k] = doubt
+            work[992 + k] = w3
+            work[1024 + k] = -v41
+            work[1056 + k] = -v41
+            work[1088 + k] = -v42
+            work[1120 + k] = -v42
+            work[1152 + k] = -math.sqrt(v45)
+            work[1184 + k] = -math.sqrt(v46)
+            work[1216 + k] = -math.sqrt(v47)
+            work[1248 + k] = -math.sqrt(v48)
+            work[1280 + k] = v75
+            work[1312 + k] = v76
+            work[1344 + k] = v77
+            work[1376 + k] = v78
+            work[1408 + k] = -v12
+            work[1440 + k] = -v13
+            work[1472 + k] = Z3
+            work[1504 + k] = -X4_pp
+            work[1536 + k] = -X4_pm
+            work[1568 + k] = v36
+            work[1600 + k] = v37
+            work[1632 + k] = -(v21 * v34 + s3_p * v32)
+            work[1664 + k] = -(v22 * v34 + s3_m * v32)
+            work[1696 + k] = s3_p * v33 - v21 * v35
+            work[1728 + k] = s3_m * v33 - v22 * v35
+            work[1760 + k] = v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54
+            work[1792 + k] = v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54
+            work[1824 + k] = v42 * (s3_p * v62 + v21 * v60) - v36 * v55
+            work[1856 + k] = v42 * (s3_m * v62 + v22 * v60) - v37 * v55
+            work[1888 + k] = v8
+            work[1920 + k] = -v9
+        for k in range(992, 1472):
             work[k] = _atan2(work[k], work[k + 480])
         for k in range(0, 32):
-            v76 = work[544 + k]
-            v25 = work[1408 + k]
-            v78 = work[1472 + k]
-            v75 = work[2720 + k]
-            v26 = work[2848 + k]
-            v77 = work[2976 + k]
-            v4 = work[3392 + k]
-            v17 = work[3424 + k]
-            v27 = work[3456 + k]
-            v49 = work[3488 + k]
-            v50 = work[3520 + k]
-            q2_mpp = work[3552 + k]
-            q2_mmp = work[3584 + k]
-            doubt = work[3616 + k] != 0.0
-            angle1 = work[3648 + k]
-            angle1_ = work[3680 + k]
-            angle1__ = work[3712 + k]
-            angle1___ = work[3744 + k]
-            angle1____ = work[3776 + k]
-            angle1_____ = work[3808 + k]
-            angle1______ = work[3840 + k]
-            angle1_______ = work[3872 + k]
-            angle1________ = work[3904 + k]
-            angle1_________ = work[3936 + k]
-            angle1__________ = work[3968 + k]
-            angle1___________ = work[4000 + k]
-            angle1____________ = work[4032 + k]
-            angle1_____________ = work[4064 + k]
-            angle1______________ = work[4096 + k]
+            v4 = work[544 + k]
+            v17 = work[576 + k]
+            v25 = work[608 + k]
+            v26 = work[640 + k]
+            v27 = work[672 + k]
+            v49 = work[704 + k]
+            v50 = work[736 + k]
+            v75 = work[768 + k]
+            v76 = work[800 + k]
+            v77 = work[832 + k]
+            v78 = work[864 + k]
+            q2_mpp = work[896 + k]
+            q2_mmp = work[928 + k]
+            doubt = work[960 + k] != 0.0
+            angle1 = work[992 + k]
+            angle1_ = work[1024 + k]
+            angle1__ = work[1056 + k]
+            angle1___ = work[1088 + k]
+            angle1____ = work[1120 + k]
+            angle1_____ = work[1152 + k]
+            angle1______ = work[1184 + k]
+            angle1_______ = work[1216 + k]
+            angle1________ = work[1248 + k]
+            angle1_________ = work[1280 + k]
+            angle1__________ = work[1312 + k]
+            angle1___________ = work[1344 + k]
+            angle1____________ = work[1376 + k]
+            angle1_____________ = work[1408 + k]
+            angle1______________ = work[1440 + k]
             q3__p = angle1 - turn1
             v24 = turn1 + angle1
             q4_ppm = angle1_ - v49
@@ -1088,78 +1088,78 @@ def _in_tiles(T, q, status):
             q1_mpp = v17 + angle1______________
             q3_ppp = v4 + (q3__p - (m3 if half_turn < q3__p else 0.0))
             q3_pmp = v4 - (v24 + (m3 if half_turn < -v24 else 0.0))
-            _5056 = q1_ppp
-            work[5056 + k] = _5056
-            _5088 = -(v25 + v27)
-            work[5088 + k] = _5088
-            _5120 = q3_ppp
-            work[5120 + k] = _5120
-            _5152 = angle1_
-            work[5152 + k] = _5152
-            _5184 = angle1_____
-            work[5184 + k] = _5184
-            _5216 = angle1_________
-            work[5216 + k] = _5216
-            _5248 = q4_ppm
-            work[5248 + k] = _5248
-            _5280 = -angle1_____
-            work[5280 + k] = _5280
-            _5312 = q6_ppm
-            work[5312 + k] = _5312
-            _5344 = -(v26 + v27)
-            work[5344 + k] = _5344
-            _5376 = q3_pmp
-            work[5376 + k] = _5376
-            _5408 = angle1__
-            work[5408 + k] = _5408
-            _5440 = angle1______
-            work[5440 + k] = _5440
-            _5472 = angle1__________
-            work[5472 + k] = _5472
-            _5504 = q4_pmm
-            work[5504 + k] = _5504
-            _5536 = -angle1______
-            work[5536 + k] = _5536
-            _5568 = q6_pmm
-            work[5568 + k] = _5568
-            _5600 = q1_mpp
-            work[5600 + k] = _5600
-            _5632 = q2_mpp
-            work[5632 + k] = _5632
-            _5664 = angle1___
-            work[5664 + k] = _5664
-            _5696 = angle1_______
-            work[5696 + k] = _5696
-            _5728 = angle1___________
-            work[5728 + k] = _5728
-            _5760 = q4_mpm
-            work[5760 + k] = _5760
-            _5792 = -angle1_______
-            work[5792 + k] = _5792
-            _5824 = q6_mpm
-            work[5824 + k] = _5824
-            _5856 = q2_mmp
-            work[5856 + k] = _5856
-            _5888 = angle1____
-            work[5888 + k] = _5888
-            _5920 = angle1________
-            work[5920 + k] = _5920
-            _5952 = angle1____________
-            work[5952 + k] = _5952
-            _5984 = q4_mmm
-            work[5984 + k] = _5984
-            _6016 = -angle1________
-            work[6016 + k] = _6016
-            _6048 = q6_mmm
-            work[6048 + k] = _6048
-            work[6080 + k] = UNREACHABLE if _5056 != _5056 else OK
-            work[6112 + k] = UNREACHABLE if _5056 != _5056 else OK
-            work[6144 + k] = UNREACHABLE if _5056 != _5056 else OK
-            work[6176 + k] = UNREACHABLE if _5056 != _5056 else OK
-            work[6208 + k] = UNREACHABLE if _5600 != _5600 else OK
-            work[6240 + k] = UNREACHABLE if _5600 != _5600 else OK
-            work[6272 + k] = UNREACHABLE if _5600 != _5600 else OK
-            work[6304 + k] = UNREACHABLE if _5600 != _5600 else OK
+            _1952 = q1_ppp
+            work[1952 + k] = _1952
+            _1984 = -(v25 + v27)
+            work[1984 + k] = _1984
+            _2016 = q3_ppp
+            work[2016 + k] = _2016
+            _2048 = angle1_
+            work[2048 + k] = _2048
+            _2080 = angle1_____
+            work[2080 + k] = _2080
+            _2112 = angle1_________
+            work[2112 + k] = _2112
+            _2144 = q4_ppm
+            work[2144 + k] = _2144
+            _2176 = -angle1_____
+            work[2176 + k] = _2176
+            _2208 = q6_ppm
+            work[2208 + k] = _2208
+            _2240 = -(v26 + v27)
+            work[2240 + k] = _2240
+            _2272 = q3_pmp
+            work[2272 + k] = _2272
+            _2304 = angle1__
+            work[2304 + k] = _2304
+            _2336 = angle1______
+            work[2336 + k] = _2336
+            _2368 = angle1__________
+            work[2368 + k] = _2368
+            _2400 = q4_pmm
+            work[2400 + k] = _2400
+            _2432 = -angle1______
+            work[2432 + k] = _2432
+            _2464 = q6_pmm
+            work[2464 + k] = _2464
+            _2496 = q1_mpp
+            work[2496 + k] = _2496
+            _2528 = q2_mpp
+            work[2528 + k] = _2528
+            _2560 = angle1___
+            work[2560 + k] = _2560
+            _2592 = angle1_______
+            work[2592 + k] = _2592
+            _2624 = angle1___________
+            work[2624 + k] = _2624
+            _2656 = q4_mpm
+            work[2656 + k] = _2656
+            _2688 = -angle1_______
+            work[2688 + k] = _2688
+            _2720 = q6_mpm
+            work[2720 + k] = _2720
+            _2752 = q2_mmp
+            work[2752 + k] = _2752
+            _2784 = angle1____
+            work[2784 + k] = _2784
+            _2816 = angle1________
+            work[2816 + k] = _2816
+            _2848 = angle1____________
+            work[2848 + k] = _2848
+            _2880 = q4_mmm
+            work[2880 + k] = _2880
+            _2912 = -angle1________
+            work[2912 + k] = _2912
+            _2944 = q6_mmm
+            work[2944 + k] = _2944
+            work[2976 + k] = UNREACHABLE if _1952 != _1952 else OK
+            work[3008 + k] = UNREACHABLE if _1952 != _1952 else OK
+            work[3040 + k] = UNREACHABLE if _1952 != _1952 else OK
+            work[3072 + k] = UNREACHABLE if _1952 != _1952 else OK
+            work[3104 + k] = UNREACHABLE if _2496 != _2496 else OK
+            work[3136 + k] = UNREACHABLE if _2496 != _2496 else OK
+            work[3168 + k] = UNREACHABLE if _2496 != _2496 else OK
+            work[3200 + k] = UNREACHABLE if _2496 != _2496 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

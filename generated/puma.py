@@ -816,16 +816,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [4928, 4960, 4992, 5024, 5056, 5088],
-    [4928, 4960, 4992, 5120, 5152, 5184],
-    [4928, 5216, 5248, 5280, 5312, 5344],
-    [4928, 5216, 5248, 5376, 5408, 5440],
-    [5472, 5504, 4992, 5536, 5568, 5600],
-    [5472, 5504, 4992, 5632, 5664, 5696],
-    [5472, 5728, 5248, 5760, 5792, 5824],
-    [5472, 5728, 5248, 5856, 5888, 5920],
+    [2048, 2080, 2112, 2144, 2176, 2208],
+    [2048, 2080, 2112, 2240, 2272, 2304],
+    [2048, 2336, 2368, 2400, 2432, 2464],
+    [2048, 2336, 2368, 2496, 2528, 2560],
+    [2592, 2624, 2112, 2656, 2688, 2720],
+    [2592, 2624, 2112, 2752, 2784, 2816],
+    [2592, 2848, 2368, 2880, 2912, 2944],
+    [2592, 2848, 2368, 2976, 3008, 3040],
 ])
-_KINDS = np.array([5952, 5984, 6016, 6048, 6080, 6112, 6144, 6176])
+_KINDS = np.array([3072, 3104, 3136, 3168, 3200, 3232, 3264, 3296])
 _LEFT_OVER = 255
 
 
@@ -836,7 +836,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(6208)
+    work = np.empty(3328)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -964,84 +964,84 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v51 or
                 v32 <= m2))))
             )
-            work[3168 + k] = v1
-            work[3200 + k] = v10
-            work[3232 + k] = v36
-            work[3264 + k] = v37
-            work[992 + k] = v47
-            work[576 + k] = v48
-            work[768 + k] = v49
-            work[1984 + k] = v50
-            work[3296 + k] = doubt
-            work[3328 + k] = w3
-            work[3360 + k] = -v14
-            work[3392 + k] = -v15
-            work[3424 + k] = v15
-            work[3456 + k] = v14
-            work[3488 + k] = -v28
-            work[3520 + k] = -v28
-            work[3552 + k] = -v29
-            work[3584 + k] = -v29
-            work[3616 + k] = -math.sqrt(v32)
-            work[3648 + k] = -math.sqrt(v33)
-            work[3680 + k] = -math.sqrt(v34)
-            work[3712 + k] = -math.sqrt(v35)
-            work[3744 + k] = v47
-            work[3776 + k] = v48
-            work[3808 + k] = v49
-            work[3840 + k] = v50
-            work[3872 + k] = v8
-            work[3904 + k] = v9
-            work[3936 + k] = K3
-            work[3968 + k] = C2_pp
-            work[4000 + k] = C2_pm
-            work[4032 + k] = C2_pm
-            work[4064 + k] = C2_pp
-            work[4096 + k] = -X4_pp
-            work[4128 + k] = -X4_pm
-            work[4160 + k] = -X4_mp
-            work[4192 + k] = -X4_mm
-            work[4224 + k] = v38 + s23_pp * v26
-            work[4256 + k] = T33 * c23_pm - v25 * v26
-            work[4288 + k] = T33 * c23_mp + s23_mp * v27
-            work[4320 + k] = v38 + -s23_pp * v27
-            work[4352 + k] = -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp * v45)
-            work[4384 + k] = v28 * (T31 * v25 + c23_pm * v45) - X4_pm * v43
-            work[4416 + k] = -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp * v46)
-            work[4448 + k] = -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp * v46)
-            work[4480 + k] = v5
-            work[4512 + k] = v6
-        for k in range(3328, 3936):
+            work[544 + k] = v1
+            work[576 + k] = v10
+            work[608 + k] = v36
+            work[640 + k] = v37
+            work[672 + k] = v47
+            work[704 + k] = v48
+            work[736 + k] = v49
+            work[768 + k] = v50
+            work[800 + k] = doubt
+            work[832 + k] = w3
+            work[864 + k] = -v14
+            work[896 + k] = -v15
+            work[928 + k] = v15
+            work[960 + k] = v14
+            work[992 + k] = -v28
+            work[1024 + k] = -v28
+            work[1056 + k] = -v29
+            work[1088 + k] = -v29
+            work[1120 + k] = -math.sqrt(v32)
+            work[1152 + k] = -math.sqrt(v33)
+            work[1184 + k] = -math.sqrt(v34)
+            work[1216 + k] = -math.sqrt(v35)
+            work[1248 + k] = v47
+            work[1280 + k] = v48
+            work[1312 + k] = v49
+            work[1344 + k] = v50
+            work[1376 + k] = v8
+            work[1408 + k] = v9
+            work[1440 + k] = K3
+            work[1472 + k] = C2_pp
+            work[1504 + k] = C2_pm
+            work[1536 + k] = C2_pm
+            work[1568 + k] = C2_pp
+            work[1600 + k] = -X4_pp
+            work[1632 + k] = -X4_pm
+            work[1664 + k] = -X4_mp
+            work[1696 + k] = -X4_mm
+            work[1728 + k] = v38 + s23_pp * v26
+            work[1760 + k] = T33 * c23_pm - v25 * v26
+            work[1792 + k] = T33 * c23_mp + s23_mp * v27
+            work[1824 + k] = v38 + -s23_pp * v27
+            work[1856 + k] = -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp * v45)
+            work[1888 + k] = v28 * (T31 * v25 + c23_pm * v45) - X4_pm * v43
+            work[1920 + k] = -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp * v46)
+            work[1952 + k] = -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp * v46)
+            work[1984 + k] = v5
+            work[2016 + k] = v6
+        for k in range(832, 1440):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v48 = work[576 + k]
-            v49 = work[768 + k]
-            v47 = work[992 + k]
-            v50 = work[1984 + k]
-            v1 = work[3168 + k]
-            v10 = work[3200 + k]
-            v36 = work[3232 + k]
-            v37 = work[3264 + k]
-            doubt = work[3296 + k] != 0.0
-            angle1 = work[3328 + k]
-            angle1_ = work[3360 + k]
-            angle1__ = work[3392 + k]
-            angle1___ = work[3424 + k]
-            angle1____ = work[3456 + k]
-            angle1_____ = work[3488 + k]
-            angle1______ = work[3520 + k]
-            angle1_______ = work[3552 + k]
-            angle1________ = work[3584 + k]
-            angle1_________ = work[3616 + k]
-            angle1__________ = work[3648 + k]
-            angle1___________ = work[3680 + k]
-            angle1____________ = work[3712 + k]
-            angle1_____________ = work[3744 + k]
-            angle1______________ = work[3776 + k]
-            angle1_______________ = work[3808 + k]
-            angle1________________ = work[3840 + k]
-            angle1_________________ = work[3872 + k]
-            angle1__________________ = work[3904 + k]
+            v1 = work[544 + k]
+            v10 = work[576 + k]
+            v36 = work[608 + k]
+            v37 = work[640 + k]
+            v47 = work[672 + k]
+            v48 = work[704 + k]
+            v49 = work[736 + k]
+            v50 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            angle1__________________ = work[1408 + k]
             q4_ppm = angle1_____ - v36
             q4_pmm = angle1______ - v36
             q4_mpm = angle1_______ - v37
@@ -1054,78 +1054,78 @@ def _in_tiles(T, q, status):
             q1_mpp = v10 + angle1__________________
             q3_ppp = v1 + angle1
             q3_pmp = v1 - angle1
-            _4928 = q1_ppp
-            work[4928 + k] = _4928
-            _4960 = angle1_
-            work[4960 + k] = _4960
-            _4992 = q3_ppp
-            work[4992 + k] = _4992
-            _5024 = angle1_____
-            work[5024 + k] = _5024
-            _5056 = angle1_________
-            work[5056 + k] = _5056
-            _5088 = angle1_____________
-            work[5088 + k] = _5088
-            _5120 = q4_ppm
-            work[5120 + k] = _5120
-            _5152 = -angle1_________
-            work[5152 + k] = _5152
-            _5184 = q6_ppm
-            work[5184 + k] = _5184
-            _5216 = angle1__
-            work[5216 + k] = _5216
-            _5248 = q3_pmp
-            work[5248 + k] = _5248
-            _5280 = angle1______
-            work[5280 + k] = _5280
-            _5312 = angle1__________
-            work[5312 + k] = _5312
-            _5344 = angle1______________
-            work[5344 + k] = _5344
-            _5376 = q4_pmm
-            work[5376 + k] = _5376
-            _5408 = -angle1__________
-            work[5408 + k] = _5408
-            _5440 = q6_pmm
-            work[5440 + k] = _5440
-            _5472 = q1_mpp
-            work[5472 + k] = _5472
-            _5504 = angle1___
-            work[5504 + k] = _5504
-            _5536 = angle1_______
-            work[5536 + k] = _5536
-            _5568 = angle1___________
-            work[5568 + k] = _5568
-            _5600 = angle1_______________
-            work[5600 + k] = _5600
-            _5632 = q4_mpm
-            work[5632 + k] = _5632
-            _5664 = -angle1___________
-            work[5664 + k] = _5664
-            _5696 = q6_mpm
-            work[5696 + k] = _5696
-            _5728 = angle1____
-            work[5728 + k] = _5728
-            _5760 = angle1________
-            work[5760 + k] = _5760
-            _5792 = angle1____________
-            work[5792 + k] = _5792
-            _5824 = angle1________________
-            work[5824 + k] = _5824
-            _5856 = q4_mmm
-            work[5856 + k] = _5856
-            _5888 = -angle1____________
-            work[5888 + k] = _5888
-            _5920 = q6_mmm
-            work[5920 + k] = _5920
-            work[5952 + k] = UNREACHABLE if _4928 != _4928 else OK
-            work[5984 + k] = UNREACHABLE if _4928 != _4928 else OK
-            work[6016 + k] = UNREACHABLE if _4928 != _4928 else OK
-            work[6048 + k] = UNREACHABLE if _4928 != _4928 else OK
-            work[6080 + k] = UNREACHABLE if _5472 != _5472 else OK
-            work[6112 + k] = UNREACHABLE if _5472 != _5472 else OK
-            work[6144 + k] = UNREACHABLE if _5472 != _5472 else OK
-            work[6176 + k] = UNREACHABLE if _5472 != _5472 else OK
+            _2048 = q1_ppp
+            work[2048 + k] = _2048
+            _2080 = angle1_
+            work[2080 + k] = _2080
+            _2112 = q3_ppp
+            work[2112 + k] = _2112
+            _2144 = angle1_____
+            work[2144 + k] = _2144
+            _2176 = angle1_________
+            work[2176 + k] = _2176
+            _2208 = angle1_____________
+            work[2208 + k] = _2208
+            _2240 = q4_ppm
+            work[2240 + k] = _2240
+            _2272 = -angle1_________
+            work[2272 + k] = _2272
+            _2304 = q6_ppm
+            work[2304 + k] = _2304
+            _2336 = angle1__
+            work[2336 + k] = _2336
+            _2368 = q3_pmp
+            work[2368 + k] = _2368
+            _2400 = angle1______
+            work[2400 + k] = _2400
+            _2432 = angle1__________
+            work[2432 + k] = _2432
+            _2464 = angle1______________
+            work[2464 + k] = _2464
+            _2496 = q4_pmm
+            work[2496 + k] = _2496
+            _2528 = -angle1__________
+            work[2528 + k] = _2528
+            _2560 = q6_pmm
+            work[2560 + k] = _2560
+            _2592 = q1_mpp
+            work[2592 + k] = _2592
+            _2624 = angle1___
+            work[2624 + k] = _2624
+            _2656 = angle1_______
+            work[2656 + k] = _2656
+            _2688 = angle1___________
+            work[2688 + k] = _2688
+            _2720 = angle1_______________
+            work[2720 + k] = _2720
+            _2752 = q4_mpm
+            work[2752 + k] = _2752
+            _2784 = -angle1___________
+            work[2784 + k] = _2784
+            _2816 = q6_mpm
+            work[2816 + k] = _2816
+            _2848 = angle1____
+            work[2848 + k] = _2848
+            _2880 = angle1________
+            work[2880 + k] = _2880
+            _2912 = angle1____________
+            work[2912 + k] = _2912
+            _2944 = angle1________________
+            work[2944 + k] = _2944
+            _2976 = q4_mmm
+            work[2976 + k] = _2976
+            _3008 = -angle1____________
+            work[3008 + k] = _3008
+            _3040 = q6_mmm
+            work[3040 + k] = _3040
+            work[3072 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[3104 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[3136 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[3168 + k] = UNREACHABLE if _2048 != _2048 else OK
+            work[3200 + k] = UNREACHABLE if _2592 != _2592 else OK
+            work[3232 + k] = UNREACHABLE if _2592 != _2592 else OK
+            work[3264 + k] = UNREACHABLE if _2592 != _2592 else OK
+            work[3296 + k] = UNREACHABLE if _2592 != _2592 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

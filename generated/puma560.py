@@ -844,16 +844,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6048, 6080, 6112, 6144, 6176, 6208],
-    [6048, 6080, 6112, 6240, 6272, 6304],
-    [6048, 6336, 6368, 6400, 6432, 6464],
-    [6048, 6336, 6368, 6496, 6528, 6560],
-    [6592, 6624, 6112, 6656, 6688, 6720],
-    [6592, 6624, 6112, 6752, 6784, 6816],
-    [6592, 6848, 6368, 6880, 6912, 6944],
-    [6592, 6848, 6368, 6976, 7008, 7040],
+    [2272, 2304, 2336, 2368, 2400, 2432],
+    [2272, 2304, 2336, 2464, 2496, 2528],
+    [2272, 2560, 2592, 2624, 2656, 2688],
+    [2272, 2560, 2592, 2720, 2752, 2784],
+    [2816, 2848, 2336, 2880, 2912, 2944],
+    [2816, 2848, 2336, 2976, 3008, 3040],
+    [2816, 3072, 2592, 3104, 3136, 3168],
+    [2816, 3072, 2592, 3200, 3232, 3264],
 ])
-_KINDS = np.array([7072, 7104, 7136, 7168, 7200, 7232, 7264, 7296])
+_KINDS = np.array([3296, 3328, 3360, 3392, 3424, 3456, 3488, 3520])
 _LEFT_OVER = 255
 
 
@@ -864,7 +864,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7328)
+    work = np.empty(3552)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1007,99 +1007,99 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v26 <= m1
                 or v35 <= m2))))
             )
-            work[3648 + k] = v1
-            work[3680 + k] = v11
-            work[2688 + k] = c23_pp
-            work[2592 + k] = c23_pm
-            work[3296 + k] = s23_pp
-            work[3232 + k] = s23_pm
-            work[2336 + k] = c4_pp
-            work[3456 + k] = c4_pm
-            work[992 + k] = Y4_p
-            work[3712 + k] = v39
-            work[3744 + k] = v40
-            work[1184 + k] = v45
-            work[1056 + k] = v47
-            work[768 + k] = v49
-            work[2208 + k] = v50
-            work[3776 + k] = doubt
-            work[3808 + k] = v9
-            work[3840 + k] = v10
-            work[3872 + k] = w3
-            work[3904 + k] = S2_pp
-            work[3936 + k] = S2_pm
-            work[3968 + k] = S2_mp
-            work[4000 + k] = S2_mm
-            work[4032 + k] = Y4_p
-            work[4064 + k] = Y4_p
-            work[4096 + k] = -v32
-            work[4128 + k] = -v32
-            work[4160 + k] = -math.sqrt(v35)
-            work[4192 + k] = -math.sqrt(v36)
-            work[4224 + k] = -math.sqrt(v37)
-            work[4256 + k] = -math.sqrt(v38)
-            work[4288 + k] = -(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31))
-            work[4320 + k] = -(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31))
-            work[4352 + k] = v49
-            work[4384 + k] = v50
-            work[4416 + k] = v5
-            work[4448 + k] = -v6
-            work[4480 + k] = K3
-            work[4512 + k] = C2_pp
-            work[4544 + k] = C2_pm
-            work[4576 + k] = C2_mp
-            work[4608 + k] = C2_mm
-            work[4640 + k] = c4_pp
-            work[4672 + k] = c4_pm
-            work[4704 + k] = c4_mp
-            work[4736 + k] = c4_mm
-            work[4768 + k] = c23_pp * T33 - s23_pp * v30
-            work[4800 + k] = c23_pm * T33 - s23_pm * v30
-            work[4832 + k] = c23_mp * T33 - s23_mp * v31
-            work[4864 + k] = c23_mm * T33 - s23_mm * v31
-            work[4896 + k] = -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32))
-            work[4928 + k] = -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32))
-            work[4960 + k] = v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42
-            work[4992 + k] = v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42
-        for k in range(3808, 4416):
+            work[544 + k] = v1
+            work[576 + k] = v11
+            work[608 + k] = c23_pp
+            work[640 + k] = c23_pm
+            work[672 + k] = s23_pp
+            work[704 + k] = s23_pm
+            work[736 + k] = c4_pp
+            work[768 + k] = c4_pm
+            work[800 + k] = Y4_p
+            work[832 + k] = v39
+            work[864 + k] = v40
+            work[896 + k] = v45
+            work[928 + k] = v47
+            work[960 + k] = v49
+            work[992 + k] = v50
+            work[1024 + k] = doubt
+            work[1056 + k] = v9
+            work[1088 + k] = v10
+            work[1120 + k] = w3
+            work[1152 + k] = S2_pp
+            work[1184 + k] = S2_pm
+            work[1216 + k] = S2_mp
+            work[1248 + k] = S2_mm
+            work[1280 + k] = Y4_p
+            work[1312 + k] = Y4_p
+            work[1344 + k] = -v32
+            work[1376 + k] = -v32
+            work[1408 + k] = -math.sqrt(v35)
+            work[1440 + k] = -math.sqrt(v36)
+            work[1472 + k] = -math.sqrt(v37)
+            work[1504 + k] = -math.sqrt(v38)
+            work[1536 + k] = -(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31))
+            work[1568 + k] = -(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31))
+            work[1600 + k] = v49
+            work[1632 + k] = v50
+            work[1664 + k] = v5
+            work[1696 + k] = -v6
+            work[1728 + k] = K3
+            work[1760 + k] = C2_pp
+            work[1792 + k] = C2_pm
+            work[1824 + k] = C2_mp
+            work[1856 + k] = C2_mm
+            work[1888 + k] = c4_pp
+            work[1920 + k] = c4_pm
+            work[1952 + k] = c4_mp
+            work[1984 + k] = c4_mm
+            work[2016 + k] = c23_pp * T33 - s23_pp * v30
+            work[2048 + k] = c23_pm * T33 - s23_pm * v30
+            work[2080 + k] = c23_mp * T33 - s23_mp * v31
+            work[2112 + k] = c23_mm * T33 - s23_mm * v31
+            work[2144 + k] = -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32))
+            work[2176 + k] = -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32))
+            work[2208 + k] = v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42
+            work[2240 + k] = v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42
+        for k in range(1056, 1664):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             T31 = work[256 + k]
-            v49 = work[768 + k]
-            Y4_p = work[992 + k]
-            v47 = work[1056 + k]
-            v45 = work[1184 + k]
-            v50 = work[2208 + k]
-            c4_pp = work[2336 + k]
-            c23_pm = work[2592 + k]
-            c23_pp = work[2688 + k]
-            s23_pm = work[3232 + k]
-            s23_pp = work[3296 + k]
-            c4_pm = work[3456 + k]
-            v1 = work[3648 + k]
-            v11 = work[3680 + k]
-            v39 = work[3712 + k]
-            v40 = work[3744 + k]
-            doubt = work[3776 + k] != 0.0
-            angle1 = work[3808 + k]
-            angle1_ = work[3840 + k]
-            angle1__ = work[3872 + k]
-            angle1___ = work[3904 + k]
-            angle1____ = work[3936 + k]
-            angle1_____ = work[3968 + k]
-            angle1______ = work[4000 + k]
-            angle1_______ = work[4032 + k]
-            angle1________ = work[4064 + k]
-            angle1_________ = work[4096 + k]
-            angle1__________ = work[4128 + k]
-            angle1___________ = work[4160 + k]
-            angle1____________ = work[4192 + k]
-            angle1_____________ = work[4224 + k]
-            angle1______________ = work[4256 + k]
-            angle1_______________ = work[4288 + k]
-            angle1________________ = work[4320 + k]
-            angle1_________________ = work[4352 + k]
-            angle1__________________ = work[4384 + k]
+            v1 = work[544 + k]
+            v11 = work[576 + k]
+            c23_pp = work[608 + k]
+            c23_pm = work[640 + k]
+            s23_pp = work[672 + k]
+            s23_pm = work[704 + k]
+            c4_pp = work[736 + k]
+            c4_pm = work[768 + k]
+            Y4_p = work[800 + k]
+            v39 = work[832 + k]
+            v40 = work[864 + k]
+            v45 = work[896 + k]
+            v47 = work[928 + k]
+            v49 = work[960 + k]
+            v50 = work[992 + k]
+            doubt = work[1024 + k] != 0.0
+            angle1 = work[1056 + k]
+            angle1_ = work[1088 + k]
+            angle1__ = work[1120 + k]
+            angle1___ = work[1152 + k]
+            angle1____ = work[1184 + k]
+            angle1_____ = work[1216 + k]
+            angle1______ = work[1248 + k]
+            angle1_______ = work[1280 + k]
+            angle1________ = work[1312 + k]
+            angle1_________ = work[1344 + k]
+            angle1__________ = work[1376 + k]
+            angle1___________ = work[1408 + k]
+            angle1____________ = work[1440 + k]
+            angle1_____________ = work[1472 + k]
+            angle1______________ = work[1504 + k]
+            angle1_______________ = work[1536 + k]
+            angle1________________ = work[1568 + k]
+            angle1_________________ = work[1600 + k]
+            angle1__________________ = work[1632 + k]
             q3__p = angle1__ - turn1
             v17 = turn1 + angle1__
             q4_ppm = angle1_______ - v39
@@ -1138,93 +1138,93 @@ def _in_tiles(T, q, status):
             outside_mpm = v59 or (-angle1_____________ < low5 or high5 < -angle1_____________)
             outside_mmp = v60 or (angle1______________ < low5 or high5 < angle1______________)
             outside_mmm = v60 or (-angle1______________ < low5 or high5 < -angle1______________)
-            _6048 = q1_ppp
-            work[6048 + k] = _6048
-            _6080 = angle1___
-            work[6080 + k] = _6080
-            _6112 = q3_ppp
-            work[6112 + k] = _6112
-            _6144 = angle1_______
-            work[6144 + k] = _6144
-            _6176 = angle1___________
-            work[6176 + k] = _6176
-            _6208 = angle1_______________
-            work[6208 + k] = _6208
-            _6240 = q4_ppm
-            work[6240 + k] = _6240
-            _6272 = -angle1___________
-            work[6272 + k] = _6272
-            _6304 = q6_ppm
-            work[6304 + k] = _6304
-            _6336 = angle1____
-            work[6336 + k] = _6336
-            _6368 = q3_pmp
-            work[6368 + k] = _6368
-            _6400 = angle1________
-            work[6400 + k] = _6400
-            _6432 = angle1____________
-            work[6432 + k] = _6432
-            _6464 = angle1________________
-            work[6464 + k] = _6464
-            _6496 = q4_pmm
-            work[6496 + k] = _6496
-            _6528 = -angle1____________
-            work[6528 + k] = _6528
-            _6560 = q6_pmm
-            work[6560 + k] = _6560
-            _6592 = q1_mpp
-            work[6592 + k] = _6592
-            _6624 = angle1_____
-            work[6624 + k] = _6624
-            _6656 = angle1_________
-            work[6656 + k] = _6656
-            _6688 = angle1_____________
-            work[6688 + k] = _6688
-            _6720 = angle1_________________
-            work[6720 + k] = _6720
-            _6752 = q4_mpm
-            work[6752 + k] = _6752
-            _6784 = -angle1_____________
-            work[6784 + k] = _6784
-            _6816 = q6_mpm
-            work[6816 + k] = _6816
-            _6848 = angle1______
-            work[6848 + k] = _6848
-            _6880 = angle1__________
-            work[6880 + k] = _6880
-            _6912 = angle1______________
-            work[6912 + k] = _6912
-            _6944 = angle1__________________
-            work[6944 + k] = _6944
-            _6976 = q4_mmm
-            work[6976 + k] = _6976
-            _7008 = -angle1______________
-            work[7008 + k] = _7008
-            _7040 = q6_mmm
-            work[7040 + k] = _7040
-            work[7072 + k] = (
-                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2272 = q1_ppp
+            work[2272 + k] = _2272
+            _2304 = angle1___
+            work[2304 + k] = _2304
+            _2336 = q3_ppp
+            work[2336 + k] = _2336
+            _2368 = angle1_______
+            work[2368 + k] = _2368
+            _2400 = angle1___________
+            work[2400 + k] = _2400
+            _2432 = angle1_______________
+            work[2432 + k] = _2432
+            _2464 = q4_ppm
+            work[2464 + k] = _2464
+            _2496 = -angle1___________
+            work[2496 + k] = _2496
+            _2528 = q6_ppm
+            work[2528 + k] = _2528
+            _2560 = angle1____
+            work[2560 + k] = _2560
+            _2592 = q3_pmp
+            work[2592 + k] = _2592
+            _2624 = angle1________
+            work[2624 + k] = _2624
+            _2656 = angle1____________
+            work[2656 + k] = _2656
+            _2688 = angle1________________
+            work[2688 + k] = _2688
+            _2720 = q4_pmm
+            work[2720 + k] = _2720
+            _2752 = -angle1____________
+            work[2752 + k] = _2752
+            _2784 = q6_pmm
+            work[2784 + k] = _2784
+            _2816 = q1_mpp
+            work[2816 + k] = _2816
+            _2848 = angle1_____
+            work[2848 + k] = _2848
+            _2880 = angle1_________
+            work[2880 + k] = _2880
+            _2912 = angle1_____________
+            work[2912 + k] = _2912
+            _2944 = angle1_________________
+            work[2944 + k] = _2944
+            _2976 = q4_mpm
+            work[2976 + k] = _2976
+            _3008 = -angle1_____________
+            work[3008 + k] = _3008
+            _3040 = q6_mpm
+            work[3040 + k] = _3040
+            _3072 = angle1______
+            work[3072 + k] = _3072
+            _3104 = angle1__________
+            work[3104 + k] = _3104
+            _3136 = angle1______________
+            work[3136 + k] = _3136
+            _3168 = angle1__________________
+            work[3168 + k] = _3168
+            _3200 = q4_mmm
+            work[3200 + k] = _3200
+            _3232 = -angle1______________
+            work[3232 + k] = _3232
+            _3264 = q6_mmm
+            work[3264 + k] = _3264
+            work[3296 + k] = (
+                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[7104 + k] = (
-                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[7136 + k] = (
-                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[7168 + k] = (
-                UNREACHABLE if _6048 != _6048 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[7200 + k] = (
-                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3424 + k] = (
+                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[7232 + k] = (
-                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3456 + k] = (
+                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[7264 + k] = (
-                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3488 + k] = (
+                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[7296 + k] = (
-                UNREACHABLE if _6592 != _6592 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3520 + k] = (
+                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

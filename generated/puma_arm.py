@@ -539,12 +539,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2560, 2592, 2624],
-    [2560, 2656, 2688],
-    [2720, 2752, 2624],
-    [2720, 2784, 2688],
+    [1088, 1120, 1152],
+    [1088, 1184, 1216],
+    [1248, 1280, 1152],
+    [1248, 1312, 1216],
 ])
-_KINDS = np.array([2816, 2848, 2880, 2912])
+_KINDS = np.array([1344, 1376, 1408, 1440])
 _LEFT_OVER = 255
 
 
@@ -555,7 +555,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2944)
+    work = np.empty(1472)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -619,62 +619,62 @@ def _in_tiles(T, q, status):
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))))))
             )
-            work[1824 + k] = v1
-            work[1856 + k] = v6
-            work[1888 + k] = doubt
-            work[1920 + k] = w3
-            work[1952 + k] = S2_pp
-            work[1984 + k] = S2_pm
-            work[2016 + k] = S2_mp
-            work[2048 + k] = S2_mm
-            work[2080 + k] = v2 + v5
-            work[2112 + k] = v2 - v5
-            work[2144 + k] = K3
-            work[2176 + k] = C2_pp
-            work[2208 + k] = C2_pm
-            work[2240 + k] = C2_mp
-            work[2272 + k] = C2_mm
-            work[2304 + k] = v4 - v3
-            work[2336 + k] = -(v3 + v4)
-        for k in range(1920, 2144):
+            work[544 + k] = v1
+            work[576 + k] = v6
+            work[608 + k] = doubt
+            work[640 + k] = w3
+            work[672 + k] = S2_pp
+            work[704 + k] = S2_pm
+            work[736 + k] = S2_mp
+            work[768 + k] = S2_mm
+            work[800 + k] = v2 + v5
+            work[832 + k] = v2 - v5
+            work[864 + k] = K3
+            work[896 + k] = C2_pp
+            work[928 + k] = C2_pm
+            work[960 + k] = C2_mp
+            work[992 + k] = C2_mm
+            work[1024 + k] = v4 - v3
+            work[1056 + k] = -(v3 + v4)
+        for k in range(640, 864):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
-            v1 = work[1824 + k]
-            v6 = work[1856 + k]
-            doubt = work[1888 + k] != 0.0
-            angle1 = work[1920 + k]
-            angle1_ = work[1952 + k]
-            angle1__ = work[1984 + k]
-            angle1___ = work[2016 + k]
-            angle1____ = work[2048 + k]
-            angle1_____ = work[2080 + k]
-            angle1______ = work[2112 + k]
+            v1 = work[544 + k]
+            v6 = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            angle1__ = work[704 + k]
+            angle1___ = work[736 + k]
+            angle1____ = work[768 + k]
+            angle1_____ = work[800 + k]
+            angle1______ = work[832 + k]
             q3__p = angle1 - turn1
             v12 = turn1 + angle1
             q1_pp = v6 + angle1_____
             q1_mp = v6 + angle1______
             q3_pp = v1 + (q3__p + (m2 if q3__p <= -half_turn else 0.0))
             q3_pm = v1 + ((m2 if -v12 <= -half_turn else 0.0) - v12)
-            _2560 = q1_pp
-            work[2560 + k] = _2560
-            _2592 = angle1_
-            work[2592 + k] = _2592
-            _2624 = q3_pp
-            work[2624 + k] = _2624
-            _2656 = angle1__
-            work[2656 + k] = _2656
-            _2688 = q3_pm
-            work[2688 + k] = _2688
-            _2720 = q1_mp
-            work[2720 + k] = _2720
-            _2752 = angle1___
-            work[2752 + k] = _2752
-            _2784 = angle1____
-            work[2784 + k] = _2784
-            work[2816 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[2848 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[2880 + k] = UNREACHABLE if _2720 != _2720 else OK
-            work[2912 + k] = UNREACHABLE if _2720 != _2720 else OK
+            _1088 = q1_pp
+            work[1088 + k] = _1088
+            _1120 = angle1_
+            work[1120 + k] = _1120
+            _1152 = q3_pp
+            work[1152 + k] = _1152
+            _1184 = angle1__
+            work[1184 + k] = _1184
+            _1216 = q3_pm
+            work[1216 + k] = _1216
+            _1248 = q1_mp
+            work[1248 + k] = _1248
+            _1280 = angle1___
+            work[1280 + k] = _1280
+            _1312 = angle1____
+            work[1312 + k] = _1312
+            work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1376 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1408 + k] = UNREACHABLE if _1248 != _1248 else OK
+            work[1440 + k] = UNREACHABLE if _1248 != _1248 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -601,10 +601,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2112, 2144, 2176, 2208, 2240],
-    [2112, 2144, 2272, 2304, 2336],
+    [928, 960, 992, 1024, 1056],
+    [928, 960, 1088, 1120, 1152],
 ])
-_KINDS = np.array([2368, 2400])
+_KINDS = np.array([1184, 1216])
 _LEFT_OVER = 255
 
 
@@ -615,7 +615,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2432)
+    work = np.empty(1248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -695,30 +695,30 @@ def _in_tiles(T, q, status):
             )
             q1_p = wz + v22
             doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
-            work[1376 + k] = S5
-            work[1248 + k] = v22
-            work[1568 + k] = q1_p
-            work[1600 + k] = doubt
-            work[1632 + k] = -T33
-            work[1664 + k] = w3
-            work[1696 + k] = -S5
-            work[1728 + k] = v1
-            work[1760 + k] = -X3
-            work[1792 + k] = v8
-            work[1824 + k] = -C5
-            work[1856 + k] = -C2
-        for k in range(1632, 1760):
+            work[544 + k] = S5
+            work[576 + k] = v22
+            work[608 + k] = q1_p
+            work[640 + k] = doubt
+            work[672 + k] = -T33
+            work[704 + k] = w3
+            work[736 + k] = -S5
+            work[768 + k] = v1
+            work[800 + k] = -X3
+            work[832 + k] = v8
+            work[864 + k] = -C5
+            work[896 + k] = -C2
+        for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
-            v22 = work[1248 + k]
-            S5 = work[1376 + k]
-            q1_p = work[1568 + k]
-            doubt = work[1600 + k] != 0.0
-            angle1 = work[1632 + k]
-            angle1_ = work[1664 + k]
-            angle1__ = work[1696 + k]
-            angle1___ = work[1728 + k]
+            S5 = work[544 + k]
+            v22 = work[576 + k]
+            q1_p = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
+            angle1___ = work[768 + k]
             q2_p = v22 + angle1___
             q3_p = angle1 + v22
             q3_m = v22 + (angle1 - math.copysign(half_turn, -T33) * h1)
@@ -726,24 +726,24 @@ def _in_tiles(T, q, status):
             q4_m = v22 - angle1_
             q5_p = angle1__ + v22
             q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
-            _2112 = q1_p
-            work[2112 + k] = _2112
-            _2144 = q2_p
-            work[2144 + k] = _2144
-            _2176 = q3_p
-            work[2176 + k] = _2176
-            _2208 = q4_p
-            work[2208 + k] = _2208
-            _2240 = q5_p
-            work[2240 + k] = _2240
-            _2272 = q3_m
-            work[2272 + k] = _2272
-            _2304 = q4_m
-            work[2304 + k] = _2304
-            _2336 = q5_m
-            work[2336 + k] = _2336
-            work[2368 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[2400 + k] = UNREACHABLE if _2112 != _2112 else OK
+            _928 = q1_p
+            work[928 + k] = _928
+            _960 = q2_p
+            work[960 + k] = _960
+            _992 = q3_p
+            work[992 + k] = _992
+            _1024 = q4_p
+            work[1024 + k] = _1024
+            _1056 = q5_p
+            work[1056 + k] = _1056
+            _1088 = q3_m
+            work[1088 + k] = _1088
+            _1120 = q4_m
+            work[1120 + k] = _1120
+            _1152 = q5_m
+            work[1152 + k] = _1152
+            work[1184 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1216 + k] = UNREACHABLE if _928 != _928 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -374,10 +374,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [768, 800, 832],
-    [864, 896, 832],
+    [704, 736, 768],
+    [800, 832, 768],
 ])
-_KINDS = np.array([928, 960])
+_KINDS = np.array([864, 896])
 _LEFT_OVER = 255
 
 
@@ -388,7 +388,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(992)
+    work = np.empty(928)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -408,32 +408,32 @@ def _in_tiles(T, q, status):
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
             doubt = v1 <= m1
-            work[576 + k] = q3_p
-            work[608 + k] = q2_p
-            work[640 + k] = doubt
-            work[672 + k] = -T14
-            work[704 + k] = T24
-        for k in range(672, 704):
+            work[544 + k] = q3_p
+            work[576 + k] = q2_p
+            work[608 + k] = doubt
+            work[640 + k] = -T14
+            work[672 + k] = T24
+        for k in range(640, 672):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T14 = work[96 + k]
-            q3_p = work[576 + k]
-            q2_p = work[608 + k]
-            doubt = work[640 + k] != 0.0
-            angle1 = work[672 + k]
+            q3_p = work[544 + k]
+            q2_p = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
             q1_m = angle1 - math.copysign(half_turn, -T14) * h1
-            _768 = angle1
+            _704 = angle1
+            work[704 + k] = _704
+            _736 = q2_p
+            work[736 + k] = _736
+            _768 = q3_p
             work[768 + k] = _768
-            _800 = q2_p
+            _800 = q1_m
             work[800 + k] = _800
-            _832 = q3_p
+            _832 = -q2_p
             work[832 + k] = _832
-            _864 = q1_m
-            work[864 + k] = _864
-            _896 = -q2_p
-            work[896 + k] = _896
-            work[928 + k] = UNREACHABLE if _768 != _768 else OK
-            work[960 + k] = UNREACHABLE if _864 != _864 else OK
+            work[864 + k] = UNREACHABLE if _704 != _704 else OK
+            work[896 + k] = UNREACHABLE if _800 != _800 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

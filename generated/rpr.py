@@ -445,12 +445,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1120, 1152, 1184],
-    [1120, 1216, 1248],
-    [1280, 1312, 1184],
-    [1280, 1344, 1248],
+    [800, 832, 864],
+    [800, 896, 928],
+    [960, 992, 864],
+    [960, 1024, 928],
 ])
-_KINDS = np.array([1376, 1408, 1440, 1472])
+_KINDS = np.array([1056, 1088, 1120, 1152])
 _LEFT_OVER = 255
 
 
@@ -461,7 +461,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1504)
+    work = np.empty(1184)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -492,46 +492,46 @@ def _in_tiles(T, q, status):
                 v1 <= m1 or -(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
                 (merge_slack1 + v2) < D3)
             )
-            work[800 + k] = v3
-            work[832 + k] = q2_pp
-            work[864 + k] = q2_pm
-            work[896 + k] = doubt
-            work[928 + k] = -T14
-            work[960 + k] = -v4
-            work[992 + k] = T24
-            work[1024 + k] = -(a3 * Z3)
-        for k in range(928, 992):
+            work[544 + k] = v3
+            work[576 + k] = q2_pp
+            work[608 + k] = q2_pm
+            work[640 + k] = doubt
+            work[672 + k] = -T14
+            work[704 + k] = -v4
+            work[736 + k] = T24
+            work[768 + k] = -(a3 * Z3)
+        for k in range(672, 736):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             T14 = work[96 + k]
-            v3 = work[800 + k]
-            q2_pp = work[832 + k]
-            q2_pm = work[864 + k]
-            doubt = work[896 + k] != 0.0
-            angle1 = work[928 + k]
-            angle1_ = work[960 + k]
+            v3 = work[544 + k]
+            q2_pp = work[576 + k]
+            q2_pm = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
             q1_pp = angle1 + v3
             q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
-            _1120 = q1_pp
-            work[1120 + k] = _1120
-            _1152 = q2_pp
-            work[1152 + k] = _1152
-            _1184 = angle1_
-            work[1184 + k] = _1184
-            _1216 = q2_pm
-            work[1216 + k] = _1216
-            _1248 = -angle1_
-            work[1248 + k] = _1248
-            _1280 = q1_mp
-            work[1280 + k] = _1280
-            _1312 = -q2_pm
-            work[1312 + k] = _1312
-            _1344 = -q2_pp
-            work[1344 + k] = _1344
-            work[1376 + k] = UNREACHABLE if _1120 != _1120 else OK
-            work[1408 + k] = UNREACHABLE if _1120 != _1120 else OK
-            work[1440 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1472 + k] = UNREACHABLE if _1280 != _1280 else OK
+            _800 = q1_pp
+            work[800 + k] = _800
+            _832 = q2_pp
+            work[832 + k] = _832
+            _864 = angle1_
+            work[864 + k] = _864
+            _896 = q2_pm
+            work[896 + k] = _896
+            _928 = -angle1_
+            work[928 + k] = _928
+            _960 = q1_mp
+            work[960 + k] = _960
+            _992 = -q2_pm
+            work[992 + k] = _992
+            _1024 = -q2_pp
+            work[1024 + k] = _1024
+            work[1056 + k] = UNREACHABLE if _800 != _800 else OK
+            work[1088 + k] = UNREACHABLE if _800 != _800 else OK
+            work[1120 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1152 + k] = UNREACHABLE if _960 != _960 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -622,16 +622,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1664, 1696, 1728, 1760, 1792, 1824],
-    [1664, 1696, 1728, 1856, 1888, 1920],
-    [1664, 1952, 1984, 2016, 2048, 1920],
-    [1664, 1952, 1984, 2080, 2112, 1824],
-    [2144, 2176, 1728, 1856, 1792, 1824],
-    [2144, 2176, 1728, 1760, 1888, 1920],
-    [2144, 2208, 1984, 2080, 2048, 1920],
-    [2144, 2208, 1984, 2016, 2112, 1824],
+    [1056, 1088, 1120, 1152, 1184, 1216],
+    [1056, 1088, 1120, 1248, 1280, 1312],
+    [1056, 1344, 1376, 1408, 1440, 1312],
+    [1056, 1344, 1376, 1472, 1504, 1216],
+    [1536, 1568, 1120, 1248, 1184, 1216],
+    [1536, 1568, 1120, 1152, 1280, 1312],
+    [1536, 1600, 1376, 1472, 1440, 1312],
+    [1536, 1600, 1376, 1408, 1504, 1216],
 ])
-_KINDS = np.array([2240, 2272, 2304, 2336, 2368, 2400, 2432, 2464])
+_KINDS = np.array([1632, 1664, 1696, 1728, 1760, 1792, 1824, 1856])
 _LEFT_OVER = 255
 
 
@@ -642,7 +642,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2496)
+    work = np.empty(1888)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -698,88 +698,88 @@ def _in_tiles(T, q, status):
             s4 = Y4 * factor4
             v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
             doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
-            work[960 + k] = w1
-            work[992 + k] = q3_ppp
-            work[576 + k] = Y4
-            work[928 + k] = w4
-            work[640 + k] = v10
-            work[1152 + k] = doubt
-            work[1184 + k] = -T24
-            work[1216 + k] = -w1
-            work[1248 + k] = Y4
-            work[1280 + k] = -w4
-            work[1312 + k] = v10
-            work[1344 + k] = -T14
-            work[1376 + k] = -T34
-            work[1408 + k] = -X4
-            work[1440 + k] = v6 * v7 + v5 * T33
-            work[1472 + k] = (
+            work[544 + k] = w1
+            work[576 + k] = q3_ppp
+            work[608 + k] = Y4
+            work[640 + k] = w4
+            work[672 + k] = v10
+            work[704 + k] = doubt
+            work[736 + k] = -T24
+            work[768 + k] = -w1
+            work[800 + k] = Y4
+            work[832 + k] = -w4
+            work[864 + k] = v10
+            work[896 + k] = -T14
+            work[928 + k] = -T34
+            work[960 + k] = -X4
+            work[992 + k] = v6 * v7 + v5 * T33
+            work[1024 + k] = (
                 v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32)
             )
-        for k in range(1184, 1344):
+        for k in range(736, 896):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Y4 = work[576 + k]
-            v10 = work[640 + k]
-            w4 = work[928 + k]
-            w1 = work[960 + k]
-            q3_ppp = work[992 + k]
-            doubt = work[1152 + k] != 0.0
-            angle1 = work[1184 + k]
-            angle1_ = work[1216 + k]
-            angle1__ = work[1248 + k]
-            angle1___ = work[1280 + k]
-            angle1____ = work[1312 + k]
+            w1 = work[544 + k]
+            q3_ppp = work[576 + k]
+            Y4 = work[608 + k]
+            w4 = work[640 + k]
+            v10 = work[672 + k]
+            doubt = work[704 + k] != 0.0
+            angle1 = work[736 + k]
+            angle1_ = work[768 + k]
+            angle1__ = work[800 + k]
+            angle1___ = work[832 + k]
+            angle1____ = work[864 + k]
             q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
             q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
             q4_ppm = angle1__ - h1 * math.copysign(half_turn, Y4)
             q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
             q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
-            _1664 = angle1
-            work[1664 + k] = _1664
-            _1696 = angle1_
-            work[1696 + k] = _1696
-            _1728 = q3_ppp
-            work[1728 + k] = _1728
-            _1760 = angle1__
-            work[1760 + k] = _1760
-            _1792 = angle1___
-            work[1792 + k] = _1792
-            _1824 = angle1____
-            work[1824 + k] = _1824
-            _1856 = q4_ppm
-            work[1856 + k] = _1856
-            _1888 = -angle1___
-            work[1888 + k] = _1888
-            _1920 = q6_ppm
-            work[1920 + k] = _1920
-            _1952 = q2_pmp
-            work[1952 + k] = _1952
-            _1984 = -q3_ppp
-            work[1984 + k] = _1984
-            _2016 = -q4_ppm
-            work[2016 + k] = _2016
-            _2048 = q5_pmp
-            work[2048 + k] = _2048
-            _2080 = -angle1__
-            work[2080 + k] = _2080
-            _2112 = -q5_pmp
-            work[2112 + k] = _2112
-            _2144 = q1_mpp
-            work[2144 + k] = _2144
-            _2176 = -angle1_
-            work[2176 + k] = _2176
-            _2208 = -q2_pmp
-            work[2208 + k] = _2208
-            work[2240 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2272 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2304 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2336 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2368 + k] = UNREACHABLE if _2144 != _2144 else OK
-            work[2400 + k] = UNREACHABLE if _2144 != _2144 else OK
-            work[2432 + k] = UNREACHABLE if _2144 != _2144 else OK
-            work[2464 + k] = UNREACHABLE if _2144 != _2144 else OK
+            _1056 = angle1
+            work[1056 + k] = _1056
+            _1088 = angle1_
+            work[1088 + k] = _1088
+            _1120 = q3_ppp
+            work[1120 + k] = _1120
+            _1152 = angle1__
+            work[1152 + k] = _1152
+            _1184 = angle1___
+            work[1184 + k] = _1184
+            _1216 = angle1____
+            work[1216 + k] = _1216
+            _1248 = q4_ppm
+            work[1248 + k] = _1248
+            _1280 = -angle1___
+            work[1280 + k] = _1280
+            _1312 = q6_ppm
+            work[1312 + k] = _1312
+            _1344 = q2_pmp
+            work[1344 + k] = _1344
+            _1376 = -q3_ppp
+            work[1376 + k] = _1376
+            _1408 = -q4_ppm
+            work[1408 + k] = _1408
+            _1440 = q5_pmp
+            work[1440 + k] = _1440
+            _1472 = -angle1__
+            work[1472 + k] = _1472
+            _1504 = -q5_pmp
+            work[1504 + k] = _1504
+            _1536 = q1_mpp
+            work[1536 + k] = _1536
+            _1568 = -angle1_
+            work[1568 + k] = _1568
+            _1600 = -q2_pmp
+            work[1600 + k] = _1600
+            work[1632 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1664 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1696 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1728 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1760 + k] = UNREACHABLE if _1536 != _1536 else OK
+            work[1792 + k] = UNREACHABLE if _1536 != _1536 else OK
+            work[1824 + k] = UNREACHABLE if _1536 != _1536 else OK
+            work[1856 + k] = UNREACHABLE if _1536 != _1536 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

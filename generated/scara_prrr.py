@@ -562,10 +562,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2272, 2304, 2336, 2368],
-    [2400, 2432, 2464, 2496],
+    [992, 1024, 1056, 1088],
+    [1120, 1152, 1184, 1216],
 ])
-_KINDS = np.array([2528, 2560])
+_KINDS = np.array([1248, 1280])
 _LEFT_OVER = 255
 
 
@@ -576,7 +576,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2592)
+    work = np.empty(1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -665,33 +665,33 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
                 (free234 or free2_p)))
             )
-            work[800 + k] = v10
-            work[1600 + k] = v11
-            work[960 + k] = v12
-            work[1664 + k] = q1_p
-            work[1696 + k] = q1_m
-            work[1728 + k] = doubt
-            work[1760 + k] = T21
-            work[1792 + k] = w3
-            work[1824 + k] = S2_p
-            work[1856 + k] = S2_m
-            work[1888 + k] = T11
-            work[1920 + k] = K3
-            work[1952 + k] = C2_p
-            work[1984 + k] = C2_m
-        for k in range(1760, 1888):
+            work[544 + k] = v10
+            work[576 + k] = v11
+            work[608 + k] = v12
+            work[640 + k] = q1_p
+            work[672 + k] = q1_m
+            work[704 + k] = doubt
+            work[736 + k] = T21
+            work[768 + k] = w3
+            work[800 + k] = S2_p
+            work[832 + k] = S2_m
+            work[864 + k] = T11
+            work[896 + k] = K3
+            work[928 + k] = C2_p
+            work[960 + k] = C2_m
+        for k in range(736, 864):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[800 + k]
-            v12 = work[960 + k]
-            v11 = work[1600 + k]
-            q1_p = work[1664 + k]
-            q1_m = work[1696 + k]
-            doubt = work[1728 + k] != 0.0
-            angle1 = work[1760 + k]
-            angle1_ = work[1792 + k]
-            angle1__ = work[1824 + k]
-            angle1___ = work[1856 + k]
+            v10 = work[544 + k]
+            v11 = work[576 + k]
+            v12 = work[608 + k]
+            q1_p = work[640 + k]
+            q1_m = work[672 + k]
+            doubt = work[704 + k] != 0.0
+            angle1 = work[736 + k]
+            angle1_ = work[768 + k]
+            angle1__ = work[800 + k]
+            angle1___ = work[832 + k]
             v13 = angle1 - (angle1_ + angle1__)
             v14 = angle1 - (angle1___ - angle1_)
             q2_p = v11 + (angle1__ + v10)
@@ -706,24 +706,24 @@ def _in_tiles(T, q, status):
                 v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
                 0.0)))
             )
-            _2272 = q1_p
-            work[2272 + k] = _2272
-            _2304 = q2_p
-            work[2304 + k] = _2304
-            _2336 = q3_p
-            work[2336 + k] = _2336
-            _2368 = q4_p
-            work[2368 + k] = _2368
-            _2400 = q1_m
-            work[2400 + k] = _2400
-            _2432 = q2_m
-            work[2432 + k] = _2432
-            _2464 = q3_m
-            work[2464 + k] = _2464
-            _2496 = q4_m
-            work[2496 + k] = _2496
-            work[2528 + k] = UNREACHABLE if _2272 != _2272 else OK
-            work[2560 + k] = UNREACHABLE if _2400 != _2400 else OK
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
+            work[1024 + k] = _1024
+            _1056 = q3_p
+            work[1056 + k] = _1056
+            _1088 = q4_p
+            work[1088 + k] = _1088
+            _1120 = q1_m
+            work[1120 + k] = _1120
+            _1152 = q2_m
+            work[1152 + k] = _1152
+            _1184 = q3_m
+            work[1184 + k] = _1184
+            _1216 = q4_m
+            work[1216 + k] = _1216
+            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -431,10 +431,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1216, 1248, 1280],
-    [1312, 1344, 1280],
+    [800, 832, 864],
+    [896, 928, 864],
 ])
-_KINDS = np.array([1376, 1408])
+_KINDS = np.array([960, 992])
 _LEFT_OVER = 255
 
 
@@ -445,7 +445,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1440)
+    work = np.empty(1024)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -480,34 +480,34 @@ def _in_tiles(T, q, status):
                 and not (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p
                 <= m1)
             )
-            work[960 + k] = q3_p
-            work[992 + k] = doubt
-            work[1024 + k] = w2
-            work[1056 + k] = S1_p
-            work[1088 + k] = S1_m
-            work[1120 + k] = K2
-            work[1152 + k] = C1_p
-            work[1184 + k] = C1_m
-        for k in range(1024, 1120):
+            work[544 + k] = q3_p
+            work[576 + k] = doubt
+            work[608 + k] = w2
+            work[640 + k] = S1_p
+            work[672 + k] = S1_m
+            work[704 + k] = K2
+            work[736 + k] = C1_p
+            work[768 + k] = C1_m
+        for k in range(608, 704):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
-            q3_p = work[960 + k]
-            doubt = work[992 + k] != 0.0
-            angle1 = work[1024 + k]
-            angle1_ = work[1056 + k]
-            angle1__ = work[1088 + k]
-            _1216 = angle1_
-            work[1216 + k] = _1216
-            _1248 = angle1
-            work[1248 + k] = _1248
-            _1280 = q3_p
-            work[1280 + k] = _1280
-            _1312 = angle1__
-            work[1312 + k] = _1312
-            _1344 = -angle1
-            work[1344 + k] = _1344
-            work[1376 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[1408 + k] = UNREACHABLE if _1312 != _1312 else OK
+            q3_p = work[544 + k]
+            doubt = work[576 + k] != 0.0
+            angle1 = work[608 + k]
+            angle1_ = work[640 + k]
+            angle1__ = work[672 + k]
+            _800 = angle1_
+            work[800 + k] = _800
+            _832 = angle1
+            work[832 + k] = _832
+            _864 = q3_p
+            work[864 + k] = _864
+            _896 = angle1__
+            work[896 + k] = _896
+            _928 = -angle1
+            work[928 + k] = _928
+            work[960 + k] = UNREACHABLE if _800 != _800 else OK
+            work[992 + k] = UNREACHABLE if _896 != _896 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

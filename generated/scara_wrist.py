@@ -629,12 +629,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2048, 2080, 2112, 2144, 2176, 2208],
-    [2048, 2080, 2112, 2240, 2272, 2304],
-    [2336, 2368, 2112, 2400, 2176, 2208],
-    [2336, 2368, 2112, 2432, 2272, 2304],
+    [1056, 1088, 1120, 1152, 1184, 1216],
+    [1056, 1088, 1120, 1248, 1280, 1312],
+    [1344, 1376, 1120, 1408, 1184, 1216],
+    [1344, 1376, 1120, 1440, 1280, 1312],
 ])
-_KINDS = np.array([2464, 2496, 2528, 2560])
+_KINDS = np.array([1472, 1504, 1536, 1568])
 _LEFT_OVER = 255
 
 
@@ -645,7 +645,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2592)
+    work = np.empty(1600)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -703,36 +703,36 @@ def _in_tiles(T, q, status):
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart) or v6 <= m2))
             )
-            work[1056 + k] = v1
-            work[672 + k] = s6
-            work[1120 + k] = q3_pp
-            work[1152 + k] = doubt
-            work[1184 + k] = w2
-            work[1216 + k] = S1_p
-            work[1248 + k] = S1_m
-            work[1280 + k] = math.sqrt(v6)
-            work[1312 + k] = s6
-            work[1344 + k] = -T23
-            work[1376 + k] = K2
-            work[1408 + k] = C1_p
-            work[1440 + k] = C1_m
-            work[1472 + k] = -T33
-            work[1504 + k] = T13 * T22 - T23 * T12
-            work[1536 + k] = -T13
-        for k in range(1184, 1376):
+            work[544 + k] = v1
+            work[576 + k] = s6
+            work[608 + k] = q3_pp
+            work[640 + k] = doubt
+            work[672 + k] = w2
+            work[704 + k] = S1_p
+            work[736 + k] = S1_m
+            work[768 + k] = math.sqrt(v6)
+            work[800 + k] = s6
+            work[832 + k] = -T23
+            work[864 + k] = K2
+            work[896 + k] = C1_p
+            work[928 + k] = C1_m
+            work[960 + k] = -T33
+            work[992 + k] = T13 * T22 - T23 * T12
+            work[1024 + k] = -T13
+        for k in range(672, 864):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
             T23 = work[192 + k]
-            s6 = work[672 + k]
-            v1 = work[1056 + k]
-            q3_pp = work[1120 + k]
-            doubt = work[1152 + k] != 0.0
-            angle1 = work[1184 + k]
-            angle1_ = work[1216 + k]
-            angle1__ = work[1248 + k]
-            angle1___ = work[1280 + k]
-            angle1____ = work[1312 + k]
-            angle1_____ = work[1344 + k]
+            v1 = work[544 + k]
+            s6 = work[576 + k]
+            q3_pp = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
+            angle1___ = work[768 + k]
+            angle1____ = work[800 + k]
+            angle1_____ = work[832 + k]
             v7 = angle1 + angle1_
             v8 = angle1__ - angle1
             v9 = angle1_____ - h1 * math.copysign(half_turn, -T23)
@@ -748,36 +748,36 @@ def _in_tiles(T, q, status):
             q5_pm = v1 - angle1___
             q6_pp = v1 + angle1____
             q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
-            _2048 = angle1_
-            work[2048 + k] = _2048
-            _2080 = angle1
-            work[2080 + k] = _2080
-            _2112 = q3_pp
-            work[2112 + k] = _2112
-            _2144 = q4_pp
-            work[2144 + k] = _2144
-            _2176 = q5_pp
-            work[2176 + k] = _2176
-            _2208 = q6_pp
-            work[2208 + k] = _2208
-            _2240 = q4_pm
-            work[2240 + k] = _2240
-            _2272 = q5_pm
-            work[2272 + k] = _2272
-            _2304 = q6_pm
-            work[2304 + k] = _2304
-            _2336 = angle1__
-            work[2336 + k] = _2336
-            _2368 = -angle1
-            work[2368 + k] = _2368
-            _2400 = q4_mp
-            work[2400 + k] = _2400
-            _2432 = q4_mm
-            work[2432 + k] = _2432
-            work[2464 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[2496 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[2528 + k] = UNREACHABLE if _2336 != _2336 else OK
-            work[2560 + k] = UNREACHABLE if _2336 != _2336 else OK
+            _1056 = angle1_
+            work[1056 + k] = _1056
+            _1088 = angle1
+            work[1088 + k] = _1088
+            _1120 = q3_pp
+            work[1120 + k] = _1120
+            _1152 = q4_pp
+            work[1152 + k] = _1152
+            _1184 = q5_pp
+            work[1184 + k] = _1184
+            _1216 = q6_pp
+            work[1216 + k] = _1216
+            _1248 = q4_pm
+            work[1248 + k] = _1248
+            _1280 = q5_pm
+            work[1280 + k] = _1280
+            _1312 = q6_pm
+            work[1312 + k] = _1312
+            _1344 = angle1__
+            work[1344 + k] = _1344
+            _1376 = -angle1
+            work[1376 + k] = _1376
+            _1408 = q4_mp
+            work[1408 + k] = _1408
+            _1440 = q4_mm
+            work[1440 + k] = _1440
+            work[1472 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1504 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1536 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[1568 + k] = UNREACHABLE if _1344 != _1344 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -869,12 +869,12 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [4768, 4800, 4832, 4864, 4896],
-    [4928, 4960, 4992, 5024, 5056],
-    [5088, 5120, 5152, 5184, 5216],
-    [5248, 5280, 5312, 5344, 5376],
+    [1472, 1504, 1536, 1568, 1600],
+    [1632, 1664, 1696, 1728, 1760],
+    [1792, 1824, 1856, 1888, 1920],
+    [1952, 1984, 2016, 2048, 2080],
 ])
-_KINDS = np.array([5408, 5440, 5472, 5504])
+_KINDS = np.array([2112, 2144, 2176, 2208])
 _LEFT_OVER = 255
 
 
@@ -885,7 +885,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5536)
+    work = np.empty(2240)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1026,58 +1026,58 @@ def _in_tiles(T, q_free, q, status):
                 longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (free234 or v1 <= m1))))))
             )
-            work[3104 + k] = v13
-            work[1792 + k] = v14
-            work[768 + k] = v49
-            work[2240 + k] = v50
-            work[800 + k] = v51
-            work[896 + k] = v52
-            work[3136 + k] = v53
-            work[3264 + k] = q5_pp
-            work[3296 + k] = q5_pm
-            work[3328 + k] = q5_mp
-            work[3360 + k] = q5_mm
-            work[3392 + k] = doubt
-            work[3424 + k] = -T24
-            work[3456 + k] = -v4
-            work[3488 + k] = w3_p
-            work[3520 + k] = w3_m
-            work[3552 + k] = S2_pp
-            work[3584 + k] = -v21
-            work[3616 + k] = S2_mp
-            work[3648 + k] = -v22
-            work[3680 + k] = -T14
-            work[3712 + k] = T33
-            work[3744 + k] = K3_p
-            work[3776 + k] = K3_m
-            work[3808 + k] = -v27
-            work[3840 + k] = -v28
-            work[3872 + k] = -v29
-            work[3904 + k] = -v30
-        for k in range(3424, 3680):
+            work[576 + k] = v13
+            work[608 + k] = v14
+            work[640 + k] = v49
+            work[672 + k] = v50
+            work[704 + k] = v51
+            work[736 + k] = v52
+            work[768 + k] = v53
+            work[800 + k] = q5_pp
+            work[832 + k] = q5_pm
+            work[864 + k] = q5_mp
+            work[896 + k] = q5_mm
+            work[928 + k] = doubt
+            work[960 + k] = -T24
+            work[992 + k] = -v4
+            work[1024 + k] = w3_p
+            work[1056 + k] = w3_m
+            work[1088 + k] = S2_pp
+            work[1120 + k] = -v21
+            work[1152 + k] = S2_mp
+            work[1184 + k] = -v22
+            work[1216 + k] = -T14
+            work[1248 + k] = T33
+            work[1280 + k] = K3_p
+            work[1312 + k] = K3_m
+            work[1344 + k] = -v27
+            work[1376 + k] = -v28
+            work[1408 + k] = -v29
+            work[1440 + k] = -v30
+        for k in range(960, 1216):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v49 = work[768 + k]
-            v51 = work[800 + k]
-            v52 = work[896 + k]
-            v14 = work[1792 + k]
-            v50 = work[2240 + k]
-            v13 = work[3104 + k]
-            v53 = work[3136 + k]
-            q5_pp = work[3264 + k]
-            q5_pm = work[3296 + k]
-            q5_mp = work[3328 + k]
-            q5_mm = work[3360 + k]
-            doubt = work[3392 + k] != 0.0
-            angle1 = work[3424 + k]
-            angle1_ = work[3456 + k]
-            angle1__ = work[3488 + k]
-            angle1___ = work[3520 + k]
-            angle1____ = work[3552 + k]
-            angle1_____ = work[3584 + k]
-            angle1______ = work[3616 + k]
-            angle1_______ = work[3648 + k]
+            v13 = work[576 + k]
+            v14 = work[608 + k]
+            v49 = work[640 + k]
+            v50 = work[672 + k]
+            v51 = work[704 + k]
+            v52 = work[736 + k]
+            v53 = work[768 + k]
+            q5_pp = work[800 + k]
+            q5_pm = work[832 + k]
+            q5_mp = work[864 + k]
+            q5_mm = work[896 + k]
+            doubt = work[928 + k] != 0.0
+            angle1 = work[960 + k]
+            angle1_ = work[992 + k]
+            angle1__ = work[1024 + k]
+            angle1___ = work[1056 + k]
+            angle1____ = work[1088 + k]
+            angle1_____ = work[1120 + k]
+            angle1______ = work[1152 + k]
+            angle1_______ = work[1184 + k]
             v54 = angle1_ - (angle1__ + angle1____) - offset4
             v55 = angle1_ - (angle1_____ - angle1__) - offset4
             v56 = offset4 + (angle1_ + (angle1___ + angle1______))
@@ -1104,50 +1104,50 @@ def _in_tiles(T, q_free, q, status):
             q4_pm = v51 + (v49 + (v59 + (m5 if v59 <= -half_turn else 0.0)))
             q4_mp = v52 + (v49 + (v60 + (m5 if v60 <= -half_turn else 0.0)))
             q4_mm = v53 + (v49 + (v61 + (m5 if v61 <= -half_turn else 0.0)))
-            _4768 = q1_pp
-            work[4768 + k] = _4768
-            _4800 = q2_pp
-            work[4800 + k] = _4800
-            _4832 = q3_pp
-            work[4832 + k] = _4832
-            _4864 = q4_pp
-            work[4864 + k] = _4864
-            _4896 = q5_pp
-            work[4896 + k] = _4896
-            _4928 = q1_pm
-            work[4928 + k] = _4928
-            _4960 = q2_pm
-            work[4960 + k] = _4960
-            _4992 = q3_pm
-            work[4992 + k] = _4992
-            _5024 = q4_pm
-            work[5024 + k] = _5024
-            _5056 = q5_pm
-            work[5056 + k] = _5056
-            _5088 = q1_mp
-            work[5088 + k] = _5088
-            _5120 = q2_mp
-            work[5120 + k] = _5120
-            _5152 = q3_mp
-            work[5152 + k] = _5152
-            _5184 = q4_mp
-            work[5184 + k] = _5184
-            _5216 = q5_mp
-            work[5216 + k] = _5216
-            _5248 = q1_mm
-            work[5248 + k] = _5248
-            _5280 = q2_mm
-            work[5280 + k] = _5280
-            _5312 = q3_mm
-            work[5312 + k] = _5312
-            _5344 = q4_mm
-            work[5344 + k] = _5344
-            _5376 = q5_mm
-            work[5376 + k] = _5376
-            work[5408 + k] = UNREACHABLE if _4768 != _4768 else OK
-            work[5440 + k] = UNREACHABLE if _4928 != _4928 else OK
-            work[5472 + k] = UNREACHABLE if _5088 != _5088 else OK
-            work[5504 + k] = UNREACHABLE if _5248 != _5248 else OK
+            _1472 = q1_pp
+            work[1472 + k] = _1472
+            _1504 = q2_pp
+            work[1504 + k] = _1504
+            _1536 = q3_pp
+            work[1536 + k] = _1536
+            _1568 = q4_pp
+            work[1568 + k] = _1568
+            _1600 = q5_pp
+            work[1600 + k] = _1600
+            _1632 = q1_pm
+            work[1632 + k] = _1632
+            _1664 = q2_pm
+            work[1664 + k] = _1664
+            _1696 = q3_pm
+            work[1696 + k] = _1696
+            _1728 = q4_pm
+            work[1728 + k] = _1728
+            _1760 = q5_pm
+            work[1760 + k] = _1760
+            _1792 = q1_mp
+            work[1792 + k] = _1792
+            _1824 = q2_mp
+            work[1824 + k] = _1824
+            _1856 = q3_mp
+            work[1856 + k] = _1856
+            _1888 = q4_mp
+            work[1888 + k] = _1888
+            _1920 = q5_mp
+            work[1920 + k] = _1920
+            _1952 = q1_mm
+            work[1952 + k] = _1952
+            _1984 = q2_mm
+            work[1984 + k] = _1984
+            _2016 = q3_mm
+            work[2016 + k] = _2016
+            _2048 = q4_mm
+            work[2048 + k] = _2048
+            _2080 = q5_mm
+            work[2080 + k] = _2080
+            work[2112 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[2144 + k] = UNREACHABLE if _1632 != _1632 else OK
+            work[2176 + k] = UNREACHABLE if _1792 != _1792 else OK
+            work[2208 + k] = UNREACHABLE if _1952 != _1952 else OK
             work[544 + k] = 1.0 if doubt else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:

@@ -426,12 +426,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [896, 928, 960],
-    [896, 992, 1024],
-    [1056, 1088, 960],
-    [1056, 1120, 1024],
+    [768, 800, 832],
+    [768, 864, 896],
+    [928, 960, 832],
+    [928, 992, 896],
 ])
-_KINDS = np.array([1152, 1184, 1216, 1248])
+_KINDS = np.array([1024, 1056, 1088, 1120])
 _LEFT_OVER = 255
 
 
@@ -442,7 +442,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1280)
+    work = np.empty(1152)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -463,44 +463,44 @@ def _in_tiles(T, q, status):
             v2 = v1 + Y2_2 * Y2_2
             q3_pp = math.sqrt(v2)
             doubt = v1 <= m1 or v2 <= m1
-            work[576 + k] = v1
-            work[640 + k] = q3_pp
-            work[672 + k] = doubt
-            work[704 + k] = T24
-            work[736 + k] = -math.sqrt(v1)
-            work[768 + k] = T14
-            work[800 + k] = Y2_2
-        for k in range(704, 768):
+            work[544 + k] = v1
+            work[576 + k] = q3_pp
+            work[608 + k] = doubt
+            work[640 + k] = T24
+            work[672 + k] = -math.sqrt(v1)
+            work[704 + k] = T14
+            work[736 + k] = Y2_2
+        for k in range(640, 704):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v1 = work[576 + k]
-            q3_pp = work[640 + k]
-            doubt = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle1_ = work[736 + k]
+            v1 = work[544 + k]
+            q3_pp = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
             q1_mp = angle1 - math.copysign(half_turn, T24) * h1
             q2_pm = angle1_ - h1 * math.copysign(half_turn, -math.sqrt(v1))
-            _896 = angle1
+            _768 = angle1
+            work[768 + k] = _768
+            _800 = angle1_
+            work[800 + k] = _800
+            _832 = q3_pp
+            work[832 + k] = _832
+            _864 = q2_pm
+            work[864 + k] = _864
+            _896 = -q3_pp
             work[896 + k] = _896
-            _928 = angle1_
+            _928 = q1_mp
             work[928 + k] = _928
-            _960 = q3_pp
+            _960 = -angle1_
             work[960 + k] = _960
-            _992 = q2_pm
+            _992 = -q2_pm
             work[992 + k] = _992
-            _1024 = -q3_pp
-            work[1024 + k] = _1024
-            _1056 = q1_mp
-            work[1056 + k] = _1056
-            _1088 = -angle1_
-            work[1088 + k] = _1088
-            _1120 = -q2_pm
-            work[1120 + k] = _1120
-            work[1152 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1184 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1216 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1248 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1024 + k] = UNREACHABLE if _768 != _768 else OK
+            work[1056 + k] = UNREACHABLE if _768 != _768 else OK
+            work[1088 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1120 + k] = UNREACHABLE if _928 != _928 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

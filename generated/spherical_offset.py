@@ -450,12 +450,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1216, 1248, 1280],
-    [1216, 1312, 1344],
-    [1376, 1408, 1280],
-    [1376, 1440, 1344],
+    [864, 896, 928],
+    [864, 960, 992],
+    [1024, 1056, 928],
+    [1024, 1088, 992],
 ])
-_KINDS = np.array([1472, 1504, 1536, 1568])
+_KINDS = np.array([1120, 1152, 1184, 1216])
 _LEFT_OVER = 255
 
 
@@ -466,7 +466,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1600)
+    work = np.empty(1248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -496,47 +496,47 @@ def _in_tiles(T, q, status):
             q3_pp = v1 + w3
             q3_pm = v1 - w3
             doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
-            work[800 + k] = w1
-            work[896 + k] = q3_pp
-            work[928 + k] = q3_pm
-            work[960 + k] = doubt
-            work[992 + k] = -(v2 + v5)
-            work[1024 + k] = v5 - v2
-            work[1056 + k] = -w1
-            work[1088 + k] = v3 - v4
-            work[1120 + k] = v3 + v4
-            work[1152 + k] = T34
-        for k in range(992, 1088):
+            work[544 + k] = w1
+            work[576 + k] = q3_pp
+            work[608 + k] = q3_pm
+            work[640 + k] = doubt
+            work[672 + k] = -(v2 + v5)
+            work[704 + k] = v5 - v2
+            work[736 + k] = -w1
+            work[768 + k] = v3 - v4
+            work[800 + k] = v3 + v4
+            work[832 + k] = T34
+        for k in range(672, 768):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
-            w1 = work[800 + k]
-            q3_pp = work[896 + k]
-            q3_pm = work[928 + k]
-            doubt = work[960 + k] != 0.0
-            angle1 = work[992 + k]
-            angle1_ = work[1024 + k]
-            angle1__ = work[1056 + k]
+            w1 = work[544 + k]
+            q3_pp = work[576 + k]
+            q3_pm = work[608 + k]
+            doubt = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
             q2_pm = angle1__ - math.copysign(half_turn, -w1) * h1
-            _1216 = angle1
-            work[1216 + k] = _1216
-            _1248 = angle1__
-            work[1248 + k] = _1248
-            _1280 = q3_pp
-            work[1280 + k] = _1280
-            _1312 = q2_pm
-            work[1312 + k] = _1312
-            _1344 = q3_pm
-            work[1344 + k] = _1344
-            _1376 = angle1_
-            work[1376 + k] = _1376
-            _1408 = -angle1__
-            work[1408 + k] = _1408
-            _1440 = -q2_pm
-            work[1440 + k] = _1440
-            work[1472 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[1504 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[1536 + k] = UNREACHABLE if _1376 != _1376 else OK
-            work[1568 + k] = UNREACHABLE if _1376 != _1376 else OK
+            _864 = angle1
+            work[864 + k] = _864
+            _896 = angle1__
+            work[896 + k] = _896
+            _928 = q3_pp
+            work[928 + k] = _928
+            _960 = q2_pm
+            work[960 + k] = _960
+            _992 = q3_pm
+            work[992 + k] = _992
+            _1024 = angle1_
+            work[1024 + k] = _1024
+            _1056 = -angle1__
+            work[1056 + k] = _1056
+            _1088 = -q2_pm
+            work[1088 + k] = _1088
+            work[1120 + k] = UNREACHABLE if _864 != _864 else OK
+            work[1152 + k] = UNREACHABLE if _864 != _864 else OK
+            work[1184 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -874,16 +874,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6496, 6528, 6560, 6592, 6624, 6656],
-    [6496, 6528, 6560, 6688, 6720, 6752],
-    [6496, 6784, 6816, 6848, 6880, 6912],
-    [6496, 6784, 6816, 6944, 6976, 7008],
-    [7040, 7072, 7104, 7136, 7168, 7200],
-    [7040, 7072, 7104, 7232, 7264, 7296],
-    [7040, 7328, 7360, 7392, 7424, 7456],
-    [7040, 7328, 7360, 7488, 7520, 7552],
+    [2112, 2144, 2176, 2208, 2240, 2272],
+    [2112, 2144, 2176, 2304, 2336, 2368],
+    [2112, 2400, 2432, 2464, 2496, 2528],
+    [2112, 2400, 2432, 2560, 2592, 2624],
+    [2656, 2688, 2720, 2752, 2784, 2816],
+    [2656, 2688, 2720, 2848, 2880, 2912],
+    [2656, 2944, 2976, 3008, 3040, 3072],
+    [2656, 2944, 2976, 3104, 3136, 3168],
 ])
-_KINDS = np.array([7584, 7616, 7648, 7680, 7712, 7744, 7776, 7808])
+_KINDS = np.array([3200, 3232, 3264, 3296, 3328, 3360, 3392, 3424])
 _LEFT_OVER = 255
 
 
@@ -894,7 +894,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7840)
+    work = np.empty(3456)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1066,87 +1066,87 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k3 <= D1 and (free1 or not (k4 < D1))))))))
             )
-            work[1568 + k] = w3_p
-            work[3424 + k] = w3_m
-            work[4608 + k] = v51
-            work[4640 + k] = v52
-            work[608 + k] = v61
-            work[2784 + k] = v62
-            work[2976 + k] = v63
-            work[3616 + k] = v64
-            work[4672 + k] = doubt
-            work[4704 + k] = w3_p
-            work[4736 + k] = w3_m
-            work[4768 + k] = -v25
-            work[4800 + k] = -v26
-            work[4832 + k] = -v27
-            work[4864 + k] = -v28
-            work[4896 + k] = Y4_p
-            work[4928 + k] = Y4_p
-            work[4960 + k] = Y4_m
-            work[4992 + k] = Y4_m
-            work[5024 + k] = -w4_pp
-            work[5056 + k] = -w4_pm
-            work[5088 + k] = -w4_mp
-            work[5120 + k] = -w4_mm
-            work[5152 + k] = v61
-            work[5184 + k] = v62
-            work[5216 + k] = v63
-            work[5248 + k] = v64
-            work[5280 + k] = v9
-            work[5312 + k] = -v10
-            work[5344 + k] = K3_p
-            work[5376 + k] = K3_m
-            work[5408 + k] = C2_pp
-            work[5440 + k] = C2_pm
-            work[5472 + k] = C2_mp
-            work[5504 + k] = C2_mm
-            work[5536 + k] = -X4_pp
-            work[5568 + k] = -X4_pm
-            work[5600 + k] = v39
-            work[5632 + k] = v40
-            work[5664 + k] = T33 * c23_pp + s23_pp * v37
-            work[5696 + k] = T33 * c23_pm + s23_pm * v37
-            work[5728 + k] = T33 * c23_mp - s23_mp * v38
-            work[5760 + k] = T33 * c23_mm - s23_mm * v38
-            work[5792 + k] = v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp * T32)
-            work[5824 + k] = v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm * T32)
-            work[5856 + k] = s4_mp * (c23_mp * v56 + s23_mp * T32) - v49 * v54
-            work[5888 + k] = s4_mm * (c23_mm * v56 + s23_mm * T32) - v50 * v54
-            work[5920 + k] = -v4
-            work[5952 + k] = -v5
-        for k in range(4704, 5344):
+            work[544 + k] = w3_p
+            work[576 + k] = w3_m
+            work[608 + k] = v51
+            work[640 + k] = v52
+            work[672 + k] = v61
+            work[704 + k] = v62
+            work[736 + k] = v63
+            work[768 + k] = v64
+            work[800 + k] = doubt
+            work[832 + k] = w3_p
+            work[864 + k] = w3_m
+            work[896 + k] = -v25
+            work[928 + k] = -v26
+            work[960 + k] = -v27
+            work[992 + k] = -v28
+            work[1024 + k] = Y4_p
+            work[1056 + k] = Y4_p
+            work[1088 + k] = Y4_m
+            work[1120 + k] = Y4_m
+            work[1152 + k] = -w4_pp
+            work[1184 + k] = -w4_pm
+            work[1216 + k] = -w4_mp
+            work[1248 + k] = -w4_mm
+            work[1280 + k] = v61
+            work[1312 + k] = v62
+            work[1344 + k] = v63
+            work[1376 + k] = v64
+            work[1408 + k] = v9
+            work[1440 + k] = -v10
+            work[1472 + k] = K3_p
+            work[1504 + k] = K3_m
+            work[1536 + k] = C2_pp
+            work[1568 + k] = C2_pm
+            work[1600 + k] = C2_mp
+            work[1632 + k] = C2_mm
+            work[1664 + k] = -X4_pp
+            work[1696 + k] = -X4_pm
+            work[1728 + k] = v39
+            work[1760 + k] = v40
+            work[1792 + k] = T33 * c23_pp + s23_pp * v37
+            work[1824 + k] = T33 * c23_pm + s23_pm * v37
+            work[1856 + k] = T33 * c23_mp - s23_mp * v38
+            work[1888 + k] = T33 * c23_mm - s23_mm * v38
+            work[1920 + k] = v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp * T32)
+            work[1952 + k] = v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm * T32)
+            work[1984 + k] = s4_mp * (c23_mp * v56 + s23_mp * T32) - v49 * v54
+            work[2016 + k] = s4_mm * (c23_mm * v56 + s23_mm * T32) - v50 * v54
+            work[2048 + k] = -v4
+            work[2080 + k] = -v5
+        for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v61 = work[608 + k]
-            w3_p = work[1568 + k]
-            v62 = work[2784 + k]
-            v63 = work[2976 + k]
-            w3_m = work[3424 + k]
-            v64 = work[3616 + k]
-            v51 = work[4608 + k]
-            v52 = work[4640 + k]
-            doubt = work[4672 + k] != 0.0
-            angle1 = work[4704 + k]
-            angle1_ = work[4736 + k]
-            angle1__ = work[4768 + k]
-            angle1___ = work[4800 + k]
-            angle1____ = work[4832 + k]
-            angle1_____ = work[4864 + k]
-            angle1______ = work[4896 + k]
-            angle1_______ = work[4928 + k]
-            angle1________ = work[4960 + k]
-            angle1_________ = work[4992 + k]
-            angle1__________ = work[5024 + k]
-            angle1___________ = work[5056 + k]
-            angle1____________ = work[5088 + k]
-            angle1_____________ = work[5120 + k]
-            angle1______________ = work[5152 + k]
-            angle1_______________ = work[5184 + k]
-            angle1________________ = work[5216 + k]
-            angle1_________________ = work[5248 + k]
-            angle1__________________ = work[5280 + k]
-            angle1___________________ = work[5312 + k]
+            w3_p = work[544 + k]
+            w3_m = work[576 + k]
+            v51 = work[608 + k]
+            v52 = work[640 + k]
+            v61 = work[672 + k]
+            v62 = work[704 + k]
+            v63 = work[736 + k]
+            v64 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            angle1__________________ = work[1408 + k]
+            angle1___________________ = work[1440 + k]
             q3__pp = angle1 - turn1
             v23 = turn1 + angle1
             q3__mp = angle1_ - turn1
@@ -1163,82 +1163,82 @@ def _in_tiles(T, q, status):
             q3_mpp = q3__mp - (m4 if half_turn < q3__mp else 0.0)
             q1_ppp = angle1__________________ + (w3_p - w3_p)
             q1_mpp = angle1___________________ + (w3_m - w3_m)
-            _6496 = q1_ppp
-            work[6496 + k] = _6496
-            _6528 = angle1__
-            work[6528 + k] = _6528
-            _6560 = q3_ppp
-            work[6560 + k] = _6560
-            _6592 = angle1______
-            work[6592 + k] = _6592
-            _6624 = angle1__________
-            work[6624 + k] = _6624
-            _6656 = angle1______________
-            work[6656 + k] = _6656
-            _6688 = q4_ppm
-            work[6688 + k] = _6688
-            _6720 = -angle1__________
-            work[6720 + k] = _6720
-            _6752 = q6_ppm
-            work[6752 + k] = _6752
-            _6784 = angle1___
-            work[6784 + k] = _6784
-            _6816 = -(v23 + (m4 if half_turn < -v23 else 0.0))
-            work[6816 + k] = _6816
-            _6848 = angle1_______
-            work[6848 + k] = _6848
-            _6880 = angle1___________
-            work[6880 + k] = _6880
-            _6912 = angle1_______________
-            work[6912 + k] = _6912
-            _6944 = q4_pmm
-            work[6944 + k] = _6944
-            _6976 = -angle1___________
-            work[6976 + k] = _6976
-            _7008 = q6_pmm
-            work[7008 + k] = _7008
-            _7040 = q1_mpp
-            work[7040 + k] = _7040
-            _7072 = angle1____
-            work[7072 + k] = _7072
-            _7104 = q3_mpp
-            work[7104 + k] = _7104
-            _7136 = angle1________
-            work[7136 + k] = _7136
-            _7168 = angle1____________
-            work[7168 + k] = _7168
-            _7200 = angle1________________
-            work[7200 + k] = _7200
-            _7232 = q4_mpm
-            work[7232 + k] = _7232
-            _7264 = -angle1____________
-            work[7264 + k] = _7264
-            _7296 = q6_mpm
-            work[7296 + k] = _7296
-            _7328 = angle1_____
-            work[7328 + k] = _7328
-            _7360 = -(v24 + (m4 if half_turn < -v24 else 0.0))
-            work[7360 + k] = _7360
-            _7392 = angle1_________
-            work[7392 + k] = _7392
-            _7424 = angle1_____________
-            work[7424 + k] = _7424
-            _7456 = angle1_________________
-            work[7456 + k] = _7456
-            _7488 = q4_mmm
-            work[7488 + k] = _7488
-            _7520 = -angle1_____________
-            work[7520 + k] = _7520
-            _7552 = q6_mmm
-            work[7552 + k] = _7552
-            work[7584 + k] = UNREACHABLE if _6496 != _6496 else OK
-            work[7616 + k] = UNREACHABLE if _6496 != _6496 else OK
-            work[7648 + k] = UNREACHABLE if _6496 != _6496 else OK
-            work[7680 + k] = UNREACHABLE if _6496 != _6496 else OK
-            work[7712 + k] = UNREACHABLE if _7040 != _7040 else OK
-            work[7744 + k] = UNREACHABLE if _7040 != _7040 else OK
-            work[7776 + k] = UNREACHABLE if _7040 != _7040 else OK
-            work[7808 + k] = UNREACHABLE if _7040 != _7040 else OK
+            _2112 = q1_ppp
+            work[2112 + k] = _2112
+            _2144 = angle1__
+            work[2144 + k] = _2144
+            _2176 = q3_ppp
+            work[2176 + k] = _2176
+            _2208 = angle1______
+            work[2208 + k] = _2208
+            _2240 = angle1__________
+            work[2240 + k] = _2240
+            _2272 = angle1______________
+            work[2272 + k] = _2272
+            _2304 = q4_ppm
+            work[2304 + k] = _2304
+            _2336 = -angle1__________
+            work[2336 + k] = _2336
+            _2368 = q6_ppm
+            work[2368 + k] = _2368
+            _2400 = angle1___
+            work[2400 + k] = _2400
+            _2432 = -(v23 + (m4 if half_turn < -v23 else 0.0))
+            work[2432 + k] = _2432
+            _2464 = angle1_______
+            work[2464 + k] = _2464
+            _2496 = angle1___________
+            work[2496 + k] = _2496
+            _2528 = angle1_______________
+            work[2528 + k] = _2528
+            _2560 = q4_pmm
+            work[2560 + k] = _2560
+            _2592 = -angle1___________
+            work[2592 + k] = _2592
+            _2624 = q6_pmm
+            work[2624 + k] = _2624
+            _2656 = q1_mpp
+            work[2656 + k] = _2656
+            _2688 = angle1____
+            work[2688 + k] = _2688
+            _2720 = q3_mpp
+            work[2720 + k] = _2720
+            _2752 = angle1________
+            work[2752 + k] = _2752
+            _2784 = angle1____________
+            work[2784 + k] = _2784
+            _2816 = angle1________________
+            work[2816 + k] = _2816
+            _2848 = q4_mpm
+            work[2848 + k] = _2848
+            _2880 = -angle1____________
+            work[2880 + k] = _2880
+            _2912 = q6_mpm
+            work[2912 + k] = _2912
+            _2944 = angle1_____
+            work[2944 + k] = _2944
+            _2976 = -(v24 + (m4 if half_turn < -v24 else 0.0))
+            work[2976 + k] = _2976
+            _3008 = angle1_________
+            work[3008 + k] = _3008
+            _3040 = angle1_____________
+            work[3040 + k] = _3040
+            _3072 = angle1_________________
+            work[3072 + k] = _3072
+            _3104 = q4_mmm
+            work[3104 + k] = _3104
+            _3136 = -angle1_____________
+            work[3136 + k] = _3136
+            _3168 = q6_mmm
+            work[3168 + k] = _3168
+            work[3200 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3232 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3264 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3296 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3328 + k] = UNREACHABLE if _2656 != _2656 else OK
+            work[3360 + k] = UNREACHABLE if _2656 != _2656 else OK
+            work[3392 + k] = UNREACHABLE if _2656 != _2656 else OK
+            work[3424 + k] = UNREACHABLE if _2656 != _2656 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -735,16 +735,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3552, 3584, 3616, 3648, 3680, 3712],
-    [3552, 3584, 3616, 3744, 3776, 3808],
-    [3552, 3840, 3872, 3904, 3936, 3808],
-    [3552, 3840, 3872, 3968, 4000, 3712],
-    [4032, 4064, 3616, 4096, 4128, 4160],
-    [4032, 4064, 3616, 4192, 4224, 4256],
-    [4032, 4288, 3872, 4320, 4352, 4256],
-    [4032, 4288, 3872, 4384, 4416, 4160],
+    [1504, 1536, 1568, 1600, 1632, 1664],
+    [1504, 1536, 1568, 1696, 1728, 1760],
+    [1504, 1792, 1824, 1856, 1888, 1760],
+    [1504, 1792, 1824, 1920, 1952, 1664],
+    [1984, 2016, 1568, 2048, 2080, 2112],
+    [1984, 2016, 1568, 2144, 2176, 2208],
+    [1984, 2240, 1824, 2272, 2304, 2208],
+    [1984, 2240, 1824, 2336, 2368, 2112],
 ])
-_KINDS = np.array([4448, 4480, 4512, 4544, 4576, 4608, 4640, 4672])
+_KINDS = np.array([2400, 2432, 2464, 2496, 2528, 2560, 2592, 2624])
 _LEFT_OVER = 255
 
 
@@ -755,7 +755,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(4704)
+    work = np.empty(2656)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -845,64 +845,64 @@ def _in_tiles(T, q, status):
                 v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 <
                 D1)))))
             )
-            work[1408 + k] = w1
-            work[1312 + k] = v19
-            work[1568 + k] = v20
-            work[896 + k] = w4_p
-            work[1856 + k] = w4_m
-            work[1664 + k] = s6_p
-            work[640 + k] = s6_m
-            work[2016 + k] = v30
-            work[2048 + k] = v31
-            work[2080 + k] = q3_ppp
-            work[2112 + k] = q3_pmp
-            work[2144 + k] = doubt
-            work[2176 + k] = -v8
-            work[2208 + k] = -v9
-            work[2240 + k] = -w1
-            work[2272 + k] = -v19
-            work[2304 + k] = -v20
-            work[2336 + k] = -w4_p
-            work[2368 + k] = -w4_m
-            work[2400 + k] = s6_p
-            work[2432 + k] = s6_m
-            work[2464 + k] = v5
-            work[2496 + k] = v6
-            work[2528 + k] = Y2_2
-            work[2560 + k] = v14
-            work[2592 + k] = v15
-            work[2624 + k] = v25 - v13 * v16
-            work[2656 + k] = v25 + v13 * v17
-            work[2688 + k] = (
+            work[544 + k] = w1
+            work[576 + k] = v19
+            work[608 + k] = v20
+            work[640 + k] = w4_p
+            work[672 + k] = w4_m
+            work[704 + k] = s6_p
+            work[736 + k] = s6_m
+            work[768 + k] = v30
+            work[800 + k] = v31
+            work[832 + k] = q3_ppp
+            work[864 + k] = q3_pmp
+            work[896 + k] = doubt
+            work[928 + k] = -v8
+            work[960 + k] = -v9
+            work[992 + k] = -w1
+            work[1024 + k] = -v19
+            work[1056 + k] = -v20
+            work[1088 + k] = -w4_p
+            work[1120 + k] = -w4_m
+            work[1152 + k] = s6_p
+            work[1184 + k] = s6_m
+            work[1216 + k] = v5
+            work[1248 + k] = v6
+            work[1280 + k] = Y2_2
+            work[1312 + k] = v14
+            work[1344 + k] = v15
+            work[1376 + k] = v25 - v13 * v16
+            work[1408 + k] = v25 + v13 * v17
+            work[1440 + k] = (
                 c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 * (c1_p * T22 + v10 * T12)
             )
-            work[2720 + k] = (
+            work[1472 + k] = (
                 c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24 * (c1_m * T22 + v11 * T12)
             )
-        for k in range(2176, 2464):
+        for k in range(928, 1216):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
-            s6_m = work[640 + k]
-            w4_p = work[896 + k]
-            v19 = work[1312 + k]
-            w1 = work[1408 + k]
-            v20 = work[1568 + k]
-            s6_p = work[1664 + k]
-            w4_m = work[1856 + k]
-            v30 = work[2016 + k] != 0.0
-            v31 = work[2048 + k] != 0.0
-            q3_ppp = work[2080 + k]
-            q3_pmp = work[2112 + k]
-            doubt = work[2144 + k] != 0.0
-            angle1 = work[2176 + k]
-            angle1_ = work[2208 + k]
-            angle1__ = work[2240 + k]
-            angle1___ = work[2272 + k]
-            angle1____ = work[2304 + k]
-            angle1_____ = work[2336 + k]
-            angle1______ = work[2368 + k]
-            angle1_______ = work[2400 + k]
-            angle1________ = work[2432 + k]
+            w1 = work[544 + k]
+            v19 = work[576 + k]
+            v20 = work[608 + k]
+            w4_p = work[640 + k]
+            w4_m = work[672 + k]
+            s6_p = work[704 + k]
+            s6_m = work[736 + k]
+            v30 = work[768 + k] != 0.0
+            v31 = work[800 + k] != 0.0
+            q3_ppp = work[832 + k]
+            q3_pmp = work[864 + k]
+            doubt = work[896 + k] != 0.0
+            angle1 = work[928 + k]
+            angle1_ = work[960 + k]
+            angle1__ = work[992 + k]
+            angle1___ = work[1024 + k]
+            angle1____ = work[1056 + k]
+            angle1_____ = work[1088 + k]
+            angle1______ = work[1120 + k]
+            angle1_______ = work[1152 + k]
+            angle1________ = work[1184 + k]
             q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
             q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v19)
             q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v20)
@@ -952,85 +952,85 @@ def _in_tiles(T, q, status):
                 v38 or (-q5_mmp < low5 or high5 < -q5_mmp or (v35 or (-q4_mpm < low4 or high4 <
                 -q4_mpm)))
             )
-            _3552 = angle1
-            work[3552 + k] = _3552
-            _3584 = angle1__
-            work[3584 + k] = _3584
-            _3616 = q3_ppp
-            work[3616 + k] = _3616
-            _3648 = angle1___
-            work[3648 + k] = _3648
-            _3680 = angle1_____
-            work[3680 + k] = _3680
-            _3712 = angle1_______
-            work[3712 + k] = _3712
-            _3744 = q4_ppm
-            work[3744 + k] = _3744
-            _3776 = -angle1_____
-            work[3776 + k] = _3776
-            _3808 = q6_ppm
-            work[3808 + k] = _3808
-            _3840 = q2_pmp
-            work[3840 + k] = _3840
-            _3872 = q3_pmp
-            work[3872 + k] = _3872
-            _3904 = -angle1___
-            work[3904 + k] = _3904
-            _3936 = q5_pmp
-            work[3936 + k] = _3936
-            _3968 = -q4_ppm
-            work[3968 + k] = _3968
-            _4000 = -q5_pmp
-            work[4000 + k] = _4000
-            _4032 = angle1_
-            work[4032 + k] = _4032
-            _4064 = -angle1__
-            work[4064 + k] = _4064
-            _4096 = angle1____
-            work[4096 + k] = _4096
-            _4128 = angle1______
-            work[4128 + k] = _4128
-            _4160 = angle1________
-            work[4160 + k] = _4160
-            _4192 = q4_mpm
-            work[4192 + k] = _4192
-            _4224 = -angle1______
-            work[4224 + k] = _4224
-            _4256 = q6_mpm
-            work[4256 + k] = _4256
-            _4288 = -q2_pmp
-            work[4288 + k] = _4288
-            _4320 = -angle1____
-            work[4320 + k] = _4320
-            _4352 = q5_mmp
-            work[4352 + k] = _4352
-            _4384 = -q4_mpm
-            work[4384 + k] = _4384
-            _4416 = -q5_mmp
-            work[4416 + k] = _4416
-            work[4448 + k] = (
-                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1504 = angle1
+            work[1504 + k] = _1504
+            _1536 = angle1__
+            work[1536 + k] = _1536
+            _1568 = q3_ppp
+            work[1568 + k] = _1568
+            _1600 = angle1___
+            work[1600 + k] = _1600
+            _1632 = angle1_____
+            work[1632 + k] = _1632
+            _1664 = angle1_______
+            work[1664 + k] = _1664
+            _1696 = q4_ppm
+            work[1696 + k] = _1696
+            _1728 = -angle1_____
+            work[1728 + k] = _1728
+            _1760 = q6_ppm
+            work[1760 + k] = _1760
+            _1792 = q2_pmp
+            work[1792 + k] = _1792
+            _1824 = q3_pmp
+            work[1824 + k] = _1824
+            _1856 = -angle1___
+            work[1856 + k] = _1856
+            _1888 = q5_pmp
+            work[1888 + k] = _1888
+            _1920 = -q4_ppm
+            work[1920 + k] = _1920
+            _1952 = -q5_pmp
+            work[1952 + k] = _1952
+            _1984 = angle1_
+            work[1984 + k] = _1984
+            _2016 = -angle1__
+            work[2016 + k] = _2016
+            _2048 = angle1____
+            work[2048 + k] = _2048
+            _2080 = angle1______
+            work[2080 + k] = _2080
+            _2112 = angle1________
+            work[2112 + k] = _2112
+            _2144 = q4_mpm
+            work[2144 + k] = _2144
+            _2176 = -angle1______
+            work[2176 + k] = _2176
+            _2208 = q6_mpm
+            work[2208 + k] = _2208
+            _2240 = -q2_pmp
+            work[2240 + k] = _2240
+            _2272 = -angle1____
+            work[2272 + k] = _2272
+            _2304 = q5_mmp
+            work[2304 + k] = _2304
+            _2336 = -q4_mpm
+            work[2336 + k] = _2336
+            _2368 = -q5_mmp
+            work[2368 + k] = _2368
+            work[2400 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[4480 + k] = (
-                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[2432 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[4512 + k] = (
-                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[2464 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[4544 + k] = (
-                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[2496 + k] = (
+                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[4576 + k] = (
-                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[2528 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[4608 + k] = (
-                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[2560 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[4640 + k] = (
-                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2592 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[4672 + k] = (
-                UNREACHABLE if _4032 != _4032 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2624 + k] = (
+                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

@@ -759,16 +759,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [4736, 4768, 4800, 4832, 4864, 4896],
-    [4736, 4768, 4800, 4928, 4960, 4992],
-    [4736, 5024, 5056, 5088, 5120, 5152],
-    [4736, 5024, 5056, 5184, 5216, 5248],
-    [5280, 5312, 4800, 5344, 5376, 5408],
-    [5280, 5312, 4800, 5440, 5472, 5504],
-    [5280, 5536, 5056, 5568, 5600, 5632],
-    [5280, 5536, 5056, 5664, 5696, 5728],
+    [1984, 2016, 2048, 2080, 2112, 2144],
+    [1984, 2016, 2048, 2176, 2208, 2240],
+    [1984, 2272, 2304, 2336, 2368, 2400],
+    [1984, 2272, 2304, 2432, 2464, 2496],
+    [2528, 2560, 2048, 2592, 2624, 2656],
+    [2528, 2560, 2048, 2688, 2720, 2752],
+    [2528, 2784, 2304, 2816, 2848, 2880],
+    [2528, 2784, 2304, 2912, 2944, 2976],
 ])
-_KINDS = np.array([5760, 5792, 5824, 5856, 5888, 5920, 5952, 5984])
+_KINDS = np.array([3008, 3040, 3072, 3104, 3136, 3168, 3200, 3232])
 _LEFT_OVER = 255
 
 
@@ -779,7 +779,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(6016)
+    work = np.empty(3264)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -903,82 +903,82 @@ def _in_tiles(T, q, status):
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart) or (v13 <= m3 or v20 <= m4))))
             )
-            work[3104 + k] = v4
-            work[896 + k] = v5
-            work[3136 + k] = v28
-            work[3168 + k] = v29
-            work[2560 + k] = v35
-            work[1824 + k] = v37
-            work[2432 + k] = v38
+            work[544 + k] = v4
+            work[576 + k] = v5
+            work[608 + k] = v28
+            work[640 + k] = v29
+            work[672 + k] = v35
+            work[704 + k] = v37
+            work[736 + k] = v38
+            work[768 + k] = v39
+            work[800 + k] = doubt
+            work[832 + k] = -T24
+            work[864 + k] = -v5
+            work[896 + k] = S2_pp
+            work[928 + k] = S2_pm
+            work[960 + k] = S2_pm
+            work[992 + k] = S2_pp
+            work[1024 + k] = Y4
+            work[1056 + k] = Y4
+            work[1088 + k] = -Y4
+            work[1120 + k] = -Y4
+            work[1152 + k] = w4_pp
+            work[1184 + k] = w4_pm
+            work[1216 + k] = w4_mp
+            work[1248 + k] = w4_mm
+            work[1280 + k] = v35
+            work[1312 + k] = v37
+            work[1344 + k] = v38
             work[1376 + k] = v39
-            work[3200 + k] = doubt
-            work[3232 + k] = -T24
-            work[3264 + k] = -v5
-            work[3296 + k] = S2_pp
-            work[3328 + k] = S2_pm
-            work[3360 + k] = S2_pm
-            work[3392 + k] = S2_pp
-            work[3424 + k] = Y4
-            work[3456 + k] = Y4
-            work[3488 + k] = -Y4
-            work[3520 + k] = -Y4
-            work[3552 + k] = w4_pp
-            work[3584 + k] = w4_pm
-            work[3616 + k] = w4_mp
-            work[3648 + k] = w4_mm
-            work[3680 + k] = v35
-            work[3712 + k] = v37
-            work[3744 + k] = v38
-            work[3776 + k] = v39
-            work[3808 + k] = -T14
-            work[3840 + k] = v7
-            work[3872 + k] = C2_pp
-            work[3904 + k] = -C2_mp
-            work[3936 + k] = C2_mp
-            work[3968 + k] = -C2_pp
-            work[4000 + k] = -X4_pp
-            work[4032 + k] = -X4_pm
-            work[4064 + k] = -X4_mp
-            work[4096 + k] = -X4_mm
-            work[4128 + k] = c23_pp * T33 + s23_pp * v17
-            work[4160 + k] = v30 + s23_pm * v17
-            work[4192 + k] = v30 - -s23_pm * v17
-            work[4224 + k] = c23_mm * T33 + v16 * v17
-            work[4256 + k] = v24 * v31 - s4_pp * (s23_pp * T32 - c23_pp * v32)
-            work[4288 + k] = v25 * v31 - s4_pm * (s23_pm * T32 - v40)
-            work[4320 + k] = s4_mp * (v40 + -s23_pm * T32) - v26 * v31
-            work[4352 + k] = s4_mm * (c23_mm * v32 - v16 * T32) - v27 * v31
-        for k in range(3232, 3808):
+            work[1408 + k] = -T14
+            work[1440 + k] = v7
+            work[1472 + k] = C2_pp
+            work[1504 + k] = -C2_mp
+            work[1536 + k] = C2_mp
+            work[1568 + k] = -C2_pp
+            work[1600 + k] = -X4_pp
+            work[1632 + k] = -X4_pm
+            work[1664 + k] = -X4_mp
+            work[1696 + k] = -X4_mm
+            work[1728 + k] = c23_pp * T33 + s23_pp * v17
+            work[1760 + k] = v30 + s23_pm * v17
+            work[1792 + k] = v30 - -s23_pm * v17
+            work[1824 + k] = c23_mm * T33 + v16 * v17
+            work[1856 + k] = v24 * v31 - s4_pp * (s23_pp * T32 - c23_pp * v32)
+            work[1888 + k] = v25 * v31 - s4_pm * (s23_pm * T32 - v40)
+            work[1920 + k] = s4_mp * (v40 + -s23_pm * T32) - v26 * v31
+            work[1952 + k] = s4_mm * (c23_mm * v32 - v16 * T32) - v27 * v31
+        for k in range(832, 1408):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v5 = work[896 + k]
-            v39 = work[1376 + k]
-            v37 = work[1824 + k]
-            v38 = work[2432 + k]
-            v35 = work[2560 + k]
-            v4 = work[3104 + k]
-            v28 = work[3136 + k]
-            v29 = work[3168 + k]
-            doubt = work[3200 + k] != 0.0
-            angle1 = work[3232 + k]
-            angle1_ = work[3264 + k]
-            angle1__ = work[3296 + k]
-            angle1___ = work[3328 + k]
-            angle1____ = work[3360 + k]
-            angle1_____ = work[3392 + k]
-            angle1______ = work[3424 + k]
-            angle1_______ = work[3456 + k]
-            angle1________ = work[3488 + k]
-            angle1_________ = work[3520 + k]
-            angle1__________ = work[3552 + k]
-            angle1___________ = work[3584 + k]
-            angle1____________ = work[3616 + k]
-            angle1_____________ = work[3648 + k]
-            angle1______________ = work[3680 + k]
-            angle1_______________ = work[3712 + k]
-            angle1________________ = work[3744 + k]
-            angle1_________________ = work[3776 + k]
+            v4 = work[544 + k]
+            v5 = work[576 + k]
+            v28 = work[608 + k]
+            v29 = work[640 + k]
+            v35 = work[672 + k]
+            v37 = work[704 + k]
+            v38 = work[736 + k]
+            v39 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
             q3_pmp = math.copysign(half_turn, -v5) * h1 - angle1_
             q4_ppm = angle1______ - v28
             q4_pmm = angle1_______ - v28
@@ -990,78 +990,78 @@ def _in_tiles(T, q, status):
             q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v39)
             q1_ppp = angle1 + v4
             q1_mpp = v4 + (angle1 - math.copysign(half_turn, -T24) * h1)
-            _4736 = q1_ppp
-            work[4736 + k] = _4736
-            _4768 = angle1__
-            work[4768 + k] = _4768
-            _4800 = angle1_
-            work[4800 + k] = _4800
-            _4832 = angle1______
-            work[4832 + k] = _4832
-            _4864 = angle1__________
-            work[4864 + k] = _4864
-            _4896 = angle1______________
-            work[4896 + k] = _4896
-            _4928 = q4_ppm
-            work[4928 + k] = _4928
-            _4960 = -angle1__________
-            work[4960 + k] = _4960
-            _4992 = q6_ppm
-            work[4992 + k] = _4992
-            _5024 = angle1___
-            work[5024 + k] = _5024
-            _5056 = q3_pmp
-            work[5056 + k] = _5056
-            _5088 = angle1_______
-            work[5088 + k] = _5088
-            _5120 = angle1___________
-            work[5120 + k] = _5120
-            _5152 = angle1_______________
-            work[5152 + k] = _5152
-            _5184 = q4_pmm
-            work[5184 + k] = _5184
-            _5216 = -angle1___________
-            work[5216 + k] = _5216
-            _5248 = q6_pmm
-            work[5248 + k] = _5248
-            _5280 = q1_mpp
-            work[5280 + k] = _5280
-            _5312 = angle1____
-            work[5312 + k] = _5312
-            _5344 = angle1________
-            work[5344 + k] = _5344
-            _5376 = angle1____________
-            work[5376 + k] = _5376
-            _5408 = angle1________________
-            work[5408 + k] = _5408
-            _5440 = q4_mpm
-            work[5440 + k] = _5440
-            _5472 = -angle1____________
-            work[5472 + k] = _5472
-            _5504 = q6_mpm
-            work[5504 + k] = _5504
-            _5536 = angle1_____
-            work[5536 + k] = _5536
-            _5568 = angle1_________
-            work[5568 + k] = _5568
-            _5600 = angle1_____________
-            work[5600 + k] = _5600
-            _5632 = angle1_________________
-            work[5632 + k] = _5632
-            _5664 = q4_mmm
-            work[5664 + k] = _5664
-            _5696 = -angle1_____________
-            work[5696 + k] = _5696
-            _5728 = q6_mmm
-            work[5728 + k] = _5728
-            work[5760 + k] = UNREACHABLE if _4736 != _4736 else OK
-            work[5792 + k] = UNREACHABLE if _4736 != _4736 else OK
-            work[5824 + k] = UNREACHABLE if _4736 != _4736 else OK
-            work[5856 + k] = UNREACHABLE if _4736 != _4736 else OK
-            work[5888 + k] = UNREACHABLE if _5280 != _5280 else OK
-            work[5920 + k] = UNREACHABLE if _5280 != _5280 else OK
-            work[5952 + k] = UNREACHABLE if _5280 != _5280 else OK
-            work[5984 + k] = UNREACHABLE if _5280 != _5280 else OK
+            _1984 = q1_ppp
+            work[1984 + k] = _1984
+            _2016 = angle1__
+            work[2016 + k] = _2016
+            _2048 = angle1_
+            work[2048 + k] = _2048
+            _2080 = angle1______
+            work[2080 + k] = _2080
+            _2112 = angle1__________
+            work[2112 + k] = _2112
+            _2144 = angle1______________
+            work[2144 + k] = _2144
+            _2176 = q4_ppm
+            work[2176 + k] = _2176
+            _2208 = -angle1__________
+            work[2208 + k] = _2208
+            _2240 = q6_ppm
+            work[2240 + k] = _2240
+            _2272 = angle1___
+            work[2272 + k] = _2272
+            _2304 = q3_pmp
+            work[2304 + k] = _2304
+            _2336 = angle1_______
+            work[2336 + k] = _2336
+            _2368 = angle1___________
+            work[2368 + k] = _2368
+            _2400 = angle1_______________
+            work[2400 + k] = _2400
+            _2432 = q4_pmm
+            work[2432 + k] = _2432
+            _2464 = -angle1___________
+            work[2464 + k] = _2464
+            _2496 = q6_pmm
+            work[2496 + k] = _2496
+            _2528 = q1_mpp
+            work[2528 + k] = _2528
+            _2560 = angle1____
+            work[2560 + k] = _2560
+            _2592 = angle1________
+            work[2592 + k] = _2592
+            _2624 = angle1____________
+            work[2624 + k] = _2624
+            _2656 = angle1________________
+            work[2656 + k] = _2656
+            _2688 = q4_mpm
+            work[2688 + k] = _2688
+            _2720 = -angle1____________
+            work[2720 + k] = _2720
+            _2752 = q6_mpm
+            work[2752 + k] = _2752
+            _2784 = angle1_____
+            work[2784 + k] = _2784
+            _2816 = angle1_________
+            work[2816 + k] = _2816
+            _2848 = angle1_____________
+            work[2848 + k] = _2848
+            _2880 = angle1_________________
+            work[2880 + k] = _2880
+            _2912 = q4_mmm
+            work[2912 + k] = _2912
+            _2944 = -angle1_____________
+            work[2944 + k] = _2944
+            _2976 = q6_mmm
+            work[2976 + k] = _2976
+            work[3008 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3040 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3072 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3104 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3136 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3168 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3200 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3232 + k] = UNREACHABLE if _2528 != _2528 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

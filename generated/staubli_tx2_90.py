@@ -939,16 +939,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [7904, 7936, 7968, 8000, 8032, 8064],
-    [7904, 7936, 7968, 8096, 8128, 8160],
-    [7904, 8192, 8224, 8256, 8288, 8320],
-    [7904, 8192, 8224, 8352, 8384, 8416],
-    [8448, 8480, 8512, 8544, 8576, 8608],
-    [8448, 8480, 8512, 8640, 8672, 8704],
-    [8448, 8736, 8768, 8800, 8832, 8864],
-    [8448, 8736, 8768, 8896, 8928, 8960],
+    [2176, 2208, 2240, 2272, 2304, 2336],
+    [2176, 2208, 2240, 2368, 2400, 2432],
+    [2176, 2464, 2496, 2528, 2560, 2592],
+    [2176, 2464, 2496, 2624, 2656, 2688],
+    [2720, 2752, 2784, 2816, 2848, 2880],
+    [2720, 2752, 2784, 2912, 2944, 2976],
+    [2720, 3008, 3040, 3072, 3104, 3136],
+    [2720, 3008, 3040, 3168, 3200, 3232],
 ])
-_KINDS = np.array([8992, 9024, 9056, 9088, 9120, 9152, 9184, 9216])
+_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
 _LEFT_OVER = 255
 
 
@@ -959,7 +959,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(9248)
+    work = np.empty(3520)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1125,91 +1125,91 @@ def _in_tiles(T, q, status):
                 N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
                 (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
             )
-            work[1600 + k] = w3_p
-            work[3392 + k] = w3_m
-            work[672 + k] = v15
-            work[2336 + k] = v16
-            work[1120 + k] = s6_pp
-            work[3424 + k] = s6_pm
-            work[2400 + k] = s6_mp
-            work[2752 + k] = s6_mm
-            work[4416 + k] = v91
-            work[4448 + k] = v92
-            work[4480 + k] = doubt
-            work[4512 + k] = s6_pp
-            work[4544 + k] = s6_pm
-            work[4576 + k] = s6_mp
-            work[4608 + k] = s6_mm
-            work[4640 + k] = S2_pp
-            work[4672 + k] = -v27
-            work[4704 + k] = S2_mp
-            work[4736 + k] = -v28
-            work[4768 + k] = v15
-            work[4800 + k] = v16
-            work[4832 + k] = -v59
-            work[4864 + k] = -v59
-            work[4896 + k] = -v60
-            work[4928 + k] = -v60
-            work[4960 + k] = w4_pp
-            work[4992 + k] = w4_pm
-            work[5024 + k] = w4_mp
-            work[5056 + k] = w4_mm
-            work[5088 + k] = v9
-            work[5120 + k] = -v10
-            work[5152 + k] = v71 * (v47 * v77 - v51 * T32) - v67 * v75
-            work[5184 + k] = v72 * (v48 * v77 - v52 * T32) - v68 * v75
-            work[5216 + k] = v69 * v76 - v73 * (v49 * v78 + v53 * T32)
-            work[5248 + k] = v70 * v76 - v74 * (v50 * v78 + v54 * T32)
-            work[5280 + k] = -v33
-            work[5312 + k] = -v34
-            work[5344 + k] = -v35
-            work[5376 + k] = -v36
-            work[5408 + k] = -v17
-            work[5440 + k] = -v18
-            work[5472 + k] = -X4_pp
-            work[5504 + k] = -X4_pm
-            work[5536 + k] = v57
-            work[5568 + k] = v58
-            work[5600 + k] = T31 * v47 + v51 * v55
-            work[5632 + k] = T31 * v48 + v52 * v55
-            work[5664 + k] = T31 * v49 - v53 * v56
-            work[5696 + k] = T31 * v50 - v54 * v56
-            work[5728 + k] = -v4
-            work[5760 + k] = -v5
-        for k in range(4512, 5152):
+            work[544 + k] = w3_p
+            work[576 + k] = w3_m
+            work[608 + k] = v15
+            work[640 + k] = v16
+            work[672 + k] = s6_pp
+            work[704 + k] = s6_pm
+            work[736 + k] = s6_mp
+            work[768 + k] = s6_mm
+            work[800 + k] = v91
+            work[832 + k] = v92
+            work[864 + k] = doubt
+            work[896 + k] = s6_pp
+            work[928 + k] = s6_pm
+            work[960 + k] = s6_mp
+            work[992 + k] = s6_mm
+            work[1024 + k] = S2_pp
+            work[1056 + k] = -v27
+            work[1088 + k] = S2_mp
+            work[1120 + k] = -v28
+            work[1152 + k] = v15
+            work[1184 + k] = v16
+            work[1216 + k] = -v59
+            work[1248 + k] = -v59
+            work[1280 + k] = -v60
+            work[1312 + k] = -v60
+            work[1344 + k] = w4_pp
+            work[1376 + k] = w4_pm
+            work[1408 + k] = w4_mp
+            work[1440 + k] = w4_mm
+            work[1472 + k] = v9
+            work[1504 + k] = -v10
+            work[1536 + k] = v71 * (v47 * v77 - v51 * T32) - v67 * v75
+            work[1568 + k] = v72 * (v48 * v77 - v52 * T32) - v68 * v75
+            work[1600 + k] = v69 * v76 - v73 * (v49 * v78 + v53 * T32)
+            work[1632 + k] = v70 * v76 - v74 * (v50 * v78 + v54 * T32)
+            work[1664 + k] = -v33
+            work[1696 + k] = -v34
+            work[1728 + k] = -v35
+            work[1760 + k] = -v36
+            work[1792 + k] = -v17
+            work[1824 + k] = -v18
+            work[1856 + k] = -X4_pp
+            work[1888 + k] = -X4_pm
+            work[1920 + k] = v57
+            work[1952 + k] = v58
+            work[1984 + k] = T31 * v47 + v51 * v55
+            work[2016 + k] = T31 * v48 + v52 * v55
+            work[2048 + k] = T31 * v49 - v53 * v56
+            work[2080 + k] = T31 * v50 - v54 * v56
+            work[2112 + k] = -v4
+            work[2144 + k] = -v5
+        for k in range(896, 1536):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v15 = work[672 + k]
-            s6_pp = work[1120 + k]
-            w3_p = work[1600 + k]
-            v16 = work[2336 + k]
-            s6_mp = work[2400 + k]
-            s6_mm = work[2752 + k]
-            w3_m = work[3392 + k]
-            s6_pm = work[3424 + k]
-            v91 = work[4416 + k]
-            v92 = work[4448 + k]
-            doubt = work[4480 + k] != 0.0
-            angle1 = work[4512 + k]
-            angle1_ = work[4544 + k]
-            angle1__ = work[4576 + k]
-            angle1___ = work[4608 + k]
-            angle1____ = work[4640 + k]
-            angle1_____ = work[4672 + k]
-            angle1______ = work[4704 + k]
-            angle1_______ = work[4736 + k]
-            angle1________ = work[4768 + k]
-            angle1_________ = work[4800 + k]
-            angle1__________ = work[4832 + k]
-            angle1___________ = work[4864 + k]
-            angle1____________ = work[4896 + k]
-            angle1_____________ = work[4928 + k]
-            angle1______________ = work[4960 + k]
-            angle1_______________ = work[4992 + k]
-            angle1________________ = work[5024 + k]
-            angle1_________________ = work[5056 + k]
-            angle1__________________ = work[5088 + k]
-            angle1___________________ = work[5120 + k]
+            w3_p = work[544 + k]
+            w3_m = work[576 + k]
+            v15 = work[608 + k]
+            v16 = work[640 + k]
+            s6_pp = work[672 + k]
+            s6_pm = work[704 + k]
+            s6_mp = work[736 + k]
+            s6_mm = work[768 + k]
+            v91 = work[800 + k]
+            v92 = work[832 + k]
+            doubt = work[864 + k] != 0.0
+            angle1 = work[896 + k]
+            angle1_ = work[928 + k]
+            angle1__ = work[960 + k]
+            angle1___ = work[992 + k]
+            angle1____ = work[1024 + k]
+            angle1_____ = work[1056 + k]
+            angle1______ = work[1088 + k]
+            angle1_______ = work[1120 + k]
+            angle1________ = work[1152 + k]
+            angle1_________ = work[1184 + k]
+            angle1__________ = work[1216 + k]
+            angle1___________ = work[1248 + k]
+            angle1____________ = work[1280 + k]
+            angle1_____________ = work[1312 + k]
+            angle1______________ = work[1344 + k]
+            angle1_______________ = work[1376 + k]
+            angle1________________ = work[1408 + k]
+            angle1_________________ = work[1440 + k]
+            angle1__________________ = work[1472 + k]
+            angle1___________________ = work[1504 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
             q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
             q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
@@ -1276,97 +1276,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v111 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v112 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v112 or (q5_mmm < low5 or high5 < q5_mmm)
-            _7904 = q1_ppp
-            work[7904 + k] = _7904
-            _7936 = q2_ppp
-            work[7936 + k] = _7936
-            _7968 = q3_ppp
-            work[7968 + k] = _7968
-            _8000 = q4_ppp
-            work[8000 + k] = _8000
-            _8032 = q5_ppp
-            work[8032 + k] = _8032
-            _8064 = angle1
-            work[8064 + k] = _8064
-            _8096 = q4_ppm
-            work[8096 + k] = _8096
-            _8128 = q5_ppm
-            work[8128 + k] = _8128
-            _8160 = q6_ppm
-            work[8160 + k] = _8160
-            _8192 = q2_pmp
-            work[8192 + k] = _8192
-            _8224 = q3_pmp
-            work[8224 + k] = _8224
-            _8256 = q4_pmp
-            work[8256 + k] = _8256
-            _8288 = q5_pmp
-            work[8288 + k] = _8288
-            _8320 = angle1_
-            work[8320 + k] = _8320
-            _8352 = q4_pmm
-            work[8352 + k] = _8352
-            _8384 = q5_pmm
-            work[8384 + k] = _8384
-            _8416 = q6_pmm
-            work[8416 + k] = _8416
-            _8448 = q1_mpp
-            work[8448 + k] = _8448
-            _8480 = q2_mpp
-            work[8480 + k] = _8480
-            _8512 = q3_mpp
-            work[8512 + k] = _8512
-            _8544 = q4_mpp
-            work[8544 + k] = _8544
-            _8576 = q5_mpp
-            work[8576 + k] = _8576
-            _8608 = angle1__
-            work[8608 + k] = _8608
-            _8640 = q4_mpm
-            work[8640 + k] = _8640
-            _8672 = q5_mpm
-            work[8672 + k] = _8672
-            _8704 = q6_mpm
-            work[8704 + k] = _8704
-            _8736 = q2_mmp
-            work[8736 + k] = _8736
-            _8768 = q3_mmp
-            work[8768 + k] = _8768
-            _8800 = q4_mmp
-            work[8800 + k] = _8800
-            _8832 = q5_mmp
-            work[8832 + k] = _8832
-            _8864 = angle1___
-            work[8864 + k] = _8864
-            _8896 = q4_mmm
-            work[8896 + k] = _8896
-            _8928 = q5_mmm
-            work[8928 + k] = _8928
-            _8960 = q6_mmm
-            work[8960 + k] = _8960
-            work[8992 + k] = (
-                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2176 = q1_ppp
+            work[2176 + k] = _2176
+            _2208 = q2_ppp
+            work[2208 + k] = _2208
+            _2240 = q3_ppp
+            work[2240 + k] = _2240
+            _2272 = q4_ppp
+            work[2272 + k] = _2272
+            _2304 = q5_ppp
+            work[2304 + k] = _2304
+            _2336 = angle1
+            work[2336 + k] = _2336
+            _2368 = q4_ppm
+            work[2368 + k] = _2368
+            _2400 = q5_ppm
+            work[2400 + k] = _2400
+            _2432 = q6_ppm
+            work[2432 + k] = _2432
+            _2464 = q2_pmp
+            work[2464 + k] = _2464
+            _2496 = q3_pmp
+            work[2496 + k] = _2496
+            _2528 = q4_pmp
+            work[2528 + k] = _2528
+            _2560 = q5_pmp
+            work[2560 + k] = _2560
+            _2592 = angle1_
+            work[2592 + k] = _2592
+            _2624 = q4_pmm
+            work[2624 + k] = _2624
+            _2656 = q5_pmm
+            work[2656 + k] = _2656
+            _2688 = q6_pmm
+            work[2688 + k] = _2688
+            _2720 = q1_mpp
+            work[2720 + k] = _2720
+            _2752 = q2_mpp
+            work[2752 + k] = _2752
+            _2784 = q3_mpp
+            work[2784 + k] = _2784
+            _2816 = q4_mpp
+            work[2816 + k] = _2816
+            _2848 = q5_mpp
+            work[2848 + k] = _2848
+            _2880 = angle1__
+            work[2880 + k] = _2880
+            _2912 = q4_mpm
+            work[2912 + k] = _2912
+            _2944 = q5_mpm
+            work[2944 + k] = _2944
+            _2976 = q6_mpm
+            work[2976 + k] = _2976
+            _3008 = q2_mmp
+            work[3008 + k] = _3008
+            _3040 = q3_mmp
+            work[3040 + k] = _3040
+            _3072 = q4_mmp
+            work[3072 + k] = _3072
+            _3104 = q5_mmp
+            work[3104 + k] = _3104
+            _3136 = angle1___
+            work[3136 + k] = _3136
+            _3168 = q4_mmm
+            work[3168 + k] = _3168
+            _3200 = q5_mmm
+            work[3200 + k] = _3200
+            _3232 = q6_mmm
+            work[3232 + k] = _3232
+            work[3264 + k] = (
+                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[9024 + k] = (
-                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[9056 + k] = (
-                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[9088 + k] = (
-                UNREACHABLE if _7904 != _7904 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[9120 + k] = (
-                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[9152 + k] = (
-                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3424 + k] = (
+                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[9184 + k] = (
-                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3456 + k] = (
+                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[9216 + k] = (
-                UNREACHABLE if _8448 != _8448 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3488 + k] = (
+                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

@@ -884,16 +884,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6240, 6272, 6304, 6336, 6368, 6400],
-    [6240, 6272, 6304, 6432, 6464, 6496],
-    [6240, 6528, 6560, 6592, 6624, 6656],
-    [6240, 6528, 6560, 6688, 6720, 6752],
-    [6784, 6816, 6304, 6848, 6880, 6912],
-    [6784, 6816, 6304, 6944, 6976, 7008],
-    [6784, 7040, 6560, 7072, 7104, 7136],
-    [6784, 7040, 6560, 7168, 7200, 7232],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2144, 2688, 2720, 2752],
+    [2624, 2656, 2144, 2784, 2816, 2848],
+    [2624, 2880, 2400, 2912, 2944, 2976],
+    [2624, 2880, 2400, 3008, 3040, 3072],
 ])
-_KINDS = np.array([7264, 7296, 7328, 7360, 7392, 7424, 7456, 7488])
+_KINDS = np.array([3104, 3136, 3168, 3200, 3232, 3264, 3296, 3328])
 _LEFT_OVER = 255
 
 
@@ -904,7 +904,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7520)
+    work = np.empty(3360)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1033,86 +1033,86 @@ def _in_tiles(T, q, status):
                 < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v73 or
                 v34 <= m2))))
             )
-            work[3200 + k] = v1
-            work[3232 + k] = v13
-            work[1440 + k] = v14
-            work[992 + k] = s6_pp
-            work[2400 + k] = s6_pm
-            work[1760 + k] = s6_mp
-            work[2080 + k] = s6_mm
-            work[3264 + k] = v54
-            work[3296 + k] = v55
-            work[3328 + k] = doubt
-            work[3360 + k] = s6_pp
-            work[3392 + k] = s6_pm
-            work[3424 + k] = s6_mp
-            work[3456 + k] = s6_mm
-            work[3488 + k] = v10
-            work[3520 + k] = -v11
-            work[3552 + k] = S2_pp
-            work[3584 + k] = S2_pm
-            work[3616 + k] = S2_pm
-            work[3648 + k] = S2_pp
-            work[3680 + k] = v14
-            work[3712 + k] = Y4_p
-            work[3744 + k] = Y4_p
-            work[3776 + k] = Y4_m
-            work[3808 + k] = Y4_m
-            work[3840 + k] = math.sqrt(v34)
-            work[3872 + k] = math.sqrt(v35)
-            work[3904 + k] = math.sqrt(v36)
-            work[3936 + k] = math.sqrt(v37)
-            work[3968 + k] = Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp
-            work[4000 + k] = Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm
-            work[4032 + k] = Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39
-            work[4064 + k] = Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39
-            work[4096 + k] = -v5
-            work[4128 + k] = -v6
-            work[4160 + k] = C2_pp
-            work[4192 + k] = C2_pm
-            work[4224 + k] = -C2_pm
-            work[4256 + k] = -C2_pp
-            work[4288 + k] = -v15
-            work[4320 + k] = -X4_pp
-            work[4352 + k] = -X4_pm
-            work[4384 + k] = v30
-            work[4416 + k] = v31
-            work[4448 + k] = -(v64 + s23_pp * v28)
-            work[4480 + k] = -(T33 * v26 + s23_pm * v28)
-            work[4512 + k] = s23_mp * v29 - T33 * v27
-            work[4544 + k] = -s23_pp * v29 - v64
-        for k in range(3360, 3968):
+            work[544 + k] = v1
+            work[576 + k] = v13
+            work[608 + k] = v14
+            work[640 + k] = s6_pp
+            work[672 + k] = s6_pm
+            work[704 + k] = s6_mp
+            work[736 + k] = s6_mm
+            work[768 + k] = v54
+            work[800 + k] = v55
+            work[832 + k] = doubt
+            work[864 + k] = s6_pp
+            work[896 + k] = s6_pm
+            work[928 + k] = s6_mp
+            work[960 + k] = s6_mm
+            work[992 + k] = v10
+            work[1024 + k] = -v11
+            work[1056 + k] = S2_pp
+            work[1088 + k] = S2_pm
+            work[1120 + k] = S2_pm
+            work[1152 + k] = S2_pp
+            work[1184 + k] = v14
+            work[1216 + k] = Y4_p
+            work[1248 + k] = Y4_p
+            work[1280 + k] = Y4_m
+            work[1312 + k] = Y4_m
+            work[1344 + k] = math.sqrt(v34)
+            work[1376 + k] = math.sqrt(v35)
+            work[1408 + k] = math.sqrt(v36)
+            work[1440 + k] = math.sqrt(v37)
+            work[1472 + k] = Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp
+            work[1504 + k] = Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm
+            work[1536 + k] = Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39
+            work[1568 + k] = Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39
+            work[1600 + k] = -v5
+            work[1632 + k] = -v6
+            work[1664 + k] = C2_pp
+            work[1696 + k] = C2_pm
+            work[1728 + k] = -C2_pm
+            work[1760 + k] = -C2_pp
+            work[1792 + k] = -v15
+            work[1824 + k] = -X4_pp
+            work[1856 + k] = -X4_pm
+            work[1888 + k] = v30
+            work[1920 + k] = v31
+            work[1952 + k] = -(v64 + s23_pp * v28)
+            work[1984 + k] = -(T33 * v26 + s23_pm * v28)
+            work[2016 + k] = s23_mp * v29 - T33 * v27
+            work[2048 + k] = -s23_pp * v29 - v64
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            s6_pp = work[992 + k]
-            v14 = work[1440 + k]
-            s6_mp = work[1760 + k]
-            s6_mm = work[2080 + k]
-            s6_pm = work[2400 + k]
-            v1 = work[3200 + k]
-            v13 = work[3232 + k]
-            v54 = work[3264 + k]
-            v55 = work[3296 + k]
-            doubt = work[3328 + k] != 0.0
-            angle1 = work[3360 + k]
-            angle1_ = work[3392 + k]
-            angle1__ = work[3424 + k]
-            angle1___ = work[3456 + k]
-            angle1____ = work[3488 + k]
-            angle1_____ = work[3520 + k]
-            angle1______ = work[3552 + k]
-            angle1_______ = work[3584 + k]
-            angle1________ = work[3616 + k]
-            angle1_________ = work[3648 + k]
-            angle1__________ = work[3680 + k]
-            angle1___________ = work[3712 + k]
-            angle1____________ = work[3744 + k]
-            angle1_____________ = work[3776 + k]
-            angle1______________ = work[3808 + k]
-            angle1_______________ = work[3840 + k]
-            angle1________________ = work[3872 + k]
-            angle1_________________ = work[3904 + k]
-            angle1__________________ = work[3936 + k]
+            v1 = work[544 + k]
+            v13 = work[576 + k]
+            v14 = work[608 + k]
+            s6_pp = work[640 + k]
+            s6_pm = work[672 + k]
+            s6_mp = work[704 + k]
+            s6_mm = work[736 + k]
+            v54 = work[768 + k]
+            v55 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
             q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
             q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
@@ -1165,78 +1165,78 @@ def _in_tiles(T, q, status):
             q1_mpp = v13 + (v47 + (m4 if v47 <= -half_turn else 0.0))
             q3_ppp = v1 + (v52 + (m4 if v52 <= -half_turn else 0.0))
             q3_pmp = v1 + (v53 + (m4 if v53 <= -half_turn else 0.0))
-            _6240 = q1_ppp
-            work[6240 + k] = _6240
-            _6272 = q2_ppp
-            work[6272 + k] = _6272
-            _6304 = q3_ppp
-            work[6304 + k] = _6304
-            _6336 = q4_ppp
-            work[6336 + k] = _6336
-            _6368 = q5_ppp
-            work[6368 + k] = _6368
-            _6400 = angle1
-            work[6400 + k] = _6400
-            _6432 = q4_ppm
-            work[6432 + k] = _6432
-            _6464 = q5_ppm
-            work[6464 + k] = _6464
-            _6496 = q6_ppm
-            work[6496 + k] = _6496
-            _6528 = q2_pmp
-            work[6528 + k] = _6528
-            _6560 = q3_pmp
-            work[6560 + k] = _6560
-            _6592 = q4_pmp
-            work[6592 + k] = _6592
-            _6624 = q5_pmp
-            work[6624 + k] = _6624
-            _6656 = angle1_
-            work[6656 + k] = _6656
-            _6688 = q4_pmm
-            work[6688 + k] = _6688
-            _6720 = q5_pmm
-            work[6720 + k] = _6720
-            _6752 = q6_pmm
-            work[6752 + k] = _6752
-            _6784 = q1_mpp
-            work[6784 + k] = _6784
-            _6816 = q2_mpp
-            work[6816 + k] = _6816
-            _6848 = q4_mpp
-            work[6848 + k] = _6848
-            _6880 = q5_mpp
-            work[6880 + k] = _6880
-            _6912 = angle1__
-            work[6912 + k] = _6912
-            _6944 = q4_mpm
-            work[6944 + k] = _6944
-            _6976 = q5_mpm
-            work[6976 + k] = _6976
-            _7008 = q6_mpm
-            work[7008 + k] = _7008
-            _7040 = q2_mmp
-            work[7040 + k] = _7040
-            _7072 = q4_mmp
-            work[7072 + k] = _7072
-            _7104 = q5_mmp
-            work[7104 + k] = _7104
-            _7136 = angle1___
-            work[7136 + k] = _7136
-            _7168 = q4_mmm
-            work[7168 + k] = _7168
-            _7200 = q5_mmm
-            work[7200 + k] = _7200
-            _7232 = q6_mmm
-            work[7232 + k] = _7232
-            work[7264 + k] = UNREACHABLE if _6240 != _6240 else OK
-            work[7296 + k] = UNREACHABLE if _6240 != _6240 else OK
-            work[7328 + k] = UNREACHABLE if _6240 != _6240 else OK
-            work[7360 + k] = UNREACHABLE if _6240 != _6240 else OK
-            work[7392 + k] = UNREACHABLE if _6784 != _6784 else OK
-            work[7424 + k] = UNREACHABLE if _6784 != _6784 else OK
-            work[7456 + k] = UNREACHABLE if _6784 != _6784 else OK
-            work[7488 + k] = UNREACHABLE if _6784 != _6784 else OK
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = q2_ppp
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = q4_ppp
+            work[2176 + k] = _2176
+            _2208 = q5_ppp
+            work[2208 + k] = _2208
+            _2240 = angle1
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = q5_ppm
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = q2_pmp
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = q4_pmp
+            work[2432 + k] = _2432
+            _2464 = q5_pmp
+            work[2464 + k] = _2464
+            _2496 = angle1_
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = q5_pmm
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = q2_mpp
+            work[2656 + k] = _2656
+            _2688 = q4_mpp
+            work[2688 + k] = _2688
+            _2720 = q5_mpp
+            work[2720 + k] = _2720
+            _2752 = angle1__
+            work[2752 + k] = _2752
+            _2784 = q4_mpm
+            work[2784 + k] = _2784
+            _2816 = q5_mpm
+            work[2816 + k] = _2816
+            _2848 = q6_mpm
+            work[2848 + k] = _2848
+            _2880 = q2_mmp
+            work[2880 + k] = _2880
+            _2912 = q4_mmp
+            work[2912 + k] = _2912
+            _2944 = q5_mmp
+            work[2944 + k] = _2944
+            _2976 = angle1___
+            work[2976 + k] = _2976
+            _3008 = q4_mmm
+            work[3008 + k] = _3008
+            _3040 = q5_mmm
+            work[3040 + k] = _3040
+            _3072 = q6_mmm
+            work[3072 + k] = _3072
+            work[3104 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3136 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3168 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3200 + k] = UNREACHABLE if _2080 != _2080 else OK
+            work[3232 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3264 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
+            work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

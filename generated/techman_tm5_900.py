@@ -1056,16 +1056,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [7680, 7712, 7744, 7776, 7808, 7840],
-    [7680, 7872, 7904, 7936, 7808, 7840],
-    [7968, 8000, 8032, 8064, 8096, 8128],
-    [7968, 8160, 8192, 8224, 8096, 8128],
-    [8256, 8288, 8320, 8352, 8384, 8416],
-    [8256, 8448, 8480, 8512, 8384, 8416],
-    [8544, 8576, 8608, 8640, 8672, 8704],
-    [8544, 8736, 8768, 8800, 8672, 8704],
+    [2112, 2144, 2176, 2208, 2240, 2272],
+    [2112, 2304, 2336, 2368, 2240, 2272],
+    [2400, 2432, 2464, 2496, 2528, 2560],
+    [2400, 2592, 2624, 2656, 2528, 2560],
+    [2688, 2720, 2752, 2784, 2816, 2848],
+    [2688, 2880, 2912, 2944, 2816, 2848],
+    [2976, 3008, 3040, 3072, 3104, 3136],
+    [2976, 3168, 3200, 3232, 3104, 3136],
 ])
-_KINDS = np.array([8832, 8864, 8896, 8928, 8960, 8992, 9024, 9056])
+_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
 _LEFT_OVER = 255
 
 
@@ -1076,7 +1076,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(9088)
+    work = np.empty(3520)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1242,87 +1242,87 @@ def _in_tiles(T, q, status):
                 longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
                 (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
             )
-            work[1056 + k] = Y6_p
-            work[1728 + k] = Y6_m
-            work[832 + k] = s234_p
-            work[3616 + k] = s234_m
-            work[4128 + k] = v26
-            work[4160 + k] = v27
-            work[4192 + k] = v28
-            work[4224 + k] = v29
-            work[4256 + k] = doubt
-            work[4288 + k] = Y6_p
-            work[4320 + k] = Y6_m
-            work[4352 + k] = w6_p
-            work[4384 + k] = w6_m
-            work[4416 + k] = s234_p
-            work[4448 + k] = s234_m
-            work[4480 + k] = w3_pp
-            work[4512 + k] = w3_pm
-            work[4544 + k] = w3_mp
-            work[4576 + k] = w3_mm
-            work[4608 + k] = S2_ppp
-            work[4640 + k] = S2_ppm
-            work[4672 + k] = S2_pmp
-            work[4704 + k] = S2_pmm
-            work[4736 + k] = S2_mpp
-            work[4768 + k] = S2_mpm
-            work[4800 + k] = S2_mmp
-            work[4832 + k] = S2_mmm
-            work[4864 + k] = v7
-            work[4896 + k] = v8
-            work[4928 + k] = -X6_p
-            work[4960 + k] = -X6_m
-            work[4992 + k] = c5_p
-            work[5024 + k] = c5_m
-            work[5056 + k] = -Z1_234_p
-            work[5088 + k] = -Z1_234_m
-            work[5120 + k] = K3_pp
-            work[5152 + k] = K3_pm
-            work[5184 + k] = K3_mp
-            work[5216 + k] = K3_mm
-            work[5248 + k] = C2_ppp
-            work[5280 + k] = C2_ppm
-            work[5312 + k] = C2_pmp
-            work[5344 + k] = C2_pmm
-            work[5376 + k] = C2_mpp
-            work[5408 + k] = C2_mpm
-            work[5440 + k] = C2_mmp
-            work[5472 + k] = C2_mmm
-            work[5504 + k] = v4
-            work[5536 + k] = v5
-        for k in range(4288, 4928):
+            work[544 + k] = Y6_p
+            work[576 + k] = Y6_m
+            work[608 + k] = s234_p
+            work[640 + k] = s234_m
+            work[672 + k] = v26
+            work[704 + k] = v27
+            work[736 + k] = v28
+            work[768 + k] = v29
+            work[800 + k] = doubt
+            work[832 + k] = Y6_p
+            work[864 + k] = Y6_m
+            work[896 + k] = w6_p
+            work[928 + k] = w6_m
+            work[960 + k] = s234_p
+            work[992 + k] = s234_m
+            work[1024 + k] = w3_pp
+            work[1056 + k] = w3_pm
+            work[1088 + k] = w3_mp
+            work[1120 + k] = w3_mm
+            work[1152 + k] = S2_ppp
+            work[1184 + k] = S2_ppm
+            work[1216 + k] = S2_pmp
+            work[1248 + k] = S2_pmm
+            work[1280 + k] = S2_mpp
+            work[1312 + k] = S2_mpm
+            work[1344 + k] = S2_mmp
+            work[1376 + k] = S2_mmm
+            work[1408 + k] = v7
+            work[1440 + k] = v8
+            work[1472 + k] = -X6_p
+            work[1504 + k] = -X6_m
+            work[1536 + k] = c5_p
+            work[1568 + k] = c5_m
+            work[1600 + k] = -Z1_234_p
+            work[1632 + k] = -Z1_234_m
+            work[1664 + k] = K3_pp
+            work[1696 + k] = K3_pm
+            work[1728 + k] = K3_mp
+            work[1760 + k] = K3_mm
+            work[1792 + k] = C2_ppp
+            work[1824 + k] = C2_ppm
+            work[1856 + k] = C2_pmp
+            work[1888 + k] = C2_pmm
+            work[1920 + k] = C2_mpp
+            work[1952 + k] = C2_mpm
+            work[1984 + k] = C2_mmp
+            work[2016 + k] = C2_mmm
+            work[2048 + k] = v4
+            work[2080 + k] = v5
+        for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            s234_p = work[832 + k]
-            Y6_p = work[1056 + k]
-            Y6_m = work[1728 + k]
-            s234_m = work[3616 + k]
-            v26 = work[4128 + k]
-            v27 = work[4160 + k]
-            v28 = work[4192 + k]
-            v29 = work[4224 + k]
-            doubt = work[4256 + k] != 0.0
-            angle1 = work[4288 + k]
-            angle1_ = work[4320 + k]
-            angle1__ = work[4352 + k]
-            angle1___ = work[4384 + k]
-            angle1____ = work[4416 + k]
-            angle1_____ = work[4448 + k]
-            angle1______ = work[4480 + k]
-            angle1_______ = work[4512 + k]
-            angle1________ = work[4544 + k]
-            angle1_________ = work[4576 + k]
-            angle1__________ = work[4608 + k]
-            angle1___________ = work[4640 + k]
-            angle1____________ = work[4672 + k]
-            angle1_____________ = work[4704 + k]
-            angle1______________ = work[4736 + k]
-            angle1_______________ = work[4768 + k]
-            angle1________________ = work[4800 + k]
-            angle1_________________ = work[4832 + k]
-            angle1__________________ = work[4864 + k]
-            angle1___________________ = work[4896 + k]
+            Y6_p = work[544 + k]
+            Y6_m = work[576 + k]
+            s234_p = work[608 + k]
+            s234_m = work[640 + k]
+            v26 = work[672 + k]
+            v27 = work[704 + k]
+            v28 = work[736 + k]
+            v29 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            angle1__________________ = work[1408 + k]
+            angle1___________________ = work[1440 + k]
             theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
             theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
             v46 = angle1__________________ - offset1
@@ -1389,101 +1389,101 @@ def _in_tiles(T, q, status):
             q6_pmp = v27 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
             q6_mpp = angle1_ + v28
             q6_mmp = v29 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
-            _7680 = q1_ppp
-            work[7680 + k] = _7680
-            _7712 = q2_ppp
-            work[7712 + k] = _7712
-            _7744 = angle1______
-            work[7744 + k] = _7744
-            _7776 = q4_ppp
-            work[7776 + k] = _7776
-            _7808 = q5_ppp
-            work[7808 + k] = _7808
-            _7840 = q6_ppp
-            work[7840 + k] = _7840
-            _7872 = q2_ppm
-            work[7872 + k] = _7872
-            _7904 = -angle1______
-            work[7904 + k] = _7904
-            _7936 = q4_ppm
-            work[7936 + k] = _7936
-            _7968 = q1_pmp
-            work[7968 + k] = _7968
-            _8000 = q2_pmp
-            work[8000 + k] = _8000
-            _8032 = angle1_______
-            work[8032 + k] = _8032
-            _8064 = q4_pmp
-            work[8064 + k] = _8064
-            _8096 = q5_pmp
-            work[8096 + k] = _8096
-            _8128 = q6_pmp
-            work[8128 + k] = _8128
-            _8160 = q2_pmm
-            work[8160 + k] = _8160
-            _8192 = -angle1_______
-            work[8192 + k] = _8192
-            _8224 = q4_pmm
-            work[8224 + k] = _8224
-            _8256 = q1_mpp
-            work[8256 + k] = _8256
-            _8288 = q2_mpp
-            work[8288 + k] = _8288
-            _8320 = angle1________
-            work[8320 + k] = _8320
-            _8352 = q4_mpp
-            work[8352 + k] = _8352
-            _8384 = q5_mpp
-            work[8384 + k] = _8384
-            _8416 = q6_mpp
-            work[8416 + k] = _8416
-            _8448 = q2_mpm
-            work[8448 + k] = _8448
-            _8480 = -angle1________
-            work[8480 + k] = _8480
-            _8512 = q4_mpm
-            work[8512 + k] = _8512
-            _8544 = q1_mmp
-            work[8544 + k] = _8544
-            _8576 = q2_mmp
-            work[8576 + k] = _8576
-            _8608 = angle1_________
-            work[8608 + k] = _8608
-            _8640 = q4_mmp
-            work[8640 + k] = _8640
-            _8672 = q5_mmp
-            work[8672 + k] = _8672
-            _8704 = q6_mmp
-            work[8704 + k] = _8704
-            _8736 = q2_mmm
-            work[8736 + k] = _8736
-            _8768 = -angle1_________
-            work[8768 + k] = _8768
-            _8800 = q4_mmm
-            work[8800 + k] = _8800
-            work[8832 + k] = (
-                UNREACHABLE if _7680 != _7680 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2112 = q1_ppp
+            work[2112 + k] = _2112
+            _2144 = q2_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1______
+            work[2176 + k] = _2176
+            _2208 = q4_ppp
+            work[2208 + k] = _2208
+            _2240 = q5_ppp
+            work[2240 + k] = _2240
+            _2272 = q6_ppp
+            work[2272 + k] = _2272
+            _2304 = q2_ppm
+            work[2304 + k] = _2304
+            _2336 = -angle1______
+            work[2336 + k] = _2336
+            _2368 = q4_ppm
+            work[2368 + k] = _2368
+            _2400 = q1_pmp
+            work[2400 + k] = _2400
+            _2432 = q2_pmp
+            work[2432 + k] = _2432
+            _2464 = angle1_______
+            work[2464 + k] = _2464
+            _2496 = q4_pmp
+            work[2496 + k] = _2496
+            _2528 = q5_pmp
+            work[2528 + k] = _2528
+            _2560 = q6_pmp
+            work[2560 + k] = _2560
+            _2592 = q2_pmm
+            work[2592 + k] = _2592
+            _2624 = -angle1_______
+            work[2624 + k] = _2624
+            _2656 = q4_pmm
+            work[2656 + k] = _2656
+            _2688 = q1_mpp
+            work[2688 + k] = _2688
+            _2720 = q2_mpp
+            work[2720 + k] = _2720
+            _2752 = angle1________
+            work[2752 + k] = _2752
+            _2784 = q4_mpp
+            work[2784 + k] = _2784
+            _2816 = q5_mpp
+            work[2816 + k] = _2816
+            _2848 = q6_mpp
+            work[2848 + k] = _2848
+            _2880 = q2_mpm
+            work[2880 + k] = _2880
+            _2912 = -angle1________
+            work[2912 + k] = _2912
+            _2944 = q4_mpm
+            work[2944 + k] = _2944
+            _2976 = q1_mmp
+            work[2976 + k] = _2976
+            _3008 = q2_mmp
+            work[3008 + k] = _3008
+            _3040 = angle1_________
+            work[3040 + k] = _3040
+            _3072 = q4_mmp
+            work[3072 + k] = _3072
+            _3104 = q5_mmp
+            work[3104 + k] = _3104
+            _3136 = q6_mmp
+            work[3136 + k] = _3136
+            _3168 = q2_mmm
+            work[3168 + k] = _3168
+            _3200 = -angle1_________
+            work[3200 + k] = _3200
+            _3232 = q4_mmm
+            work[3232 + k] = _3232
+            work[3264 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[8864 + k] = (
-                UNREACHABLE if _7680 != _7680 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[8896 + k] = (
-                UNREACHABLE if _7968 != _7968 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2400 != _2400 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[8928 + k] = (
-                UNREACHABLE if _7968 != _7968 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2400 != _2400 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[8960 + k] = (
-                UNREACHABLE if _8256 != _8256 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2688 != _2688 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[8992 + k] = (
-                UNREACHABLE if _8256 != _8256 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3424 + k] = (
+                UNREACHABLE if _2688 != _2688 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[9024 + k] = (
-                UNREACHABLE if _8544 != _8544 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3456 + k] = (
+                UNREACHABLE if _2976 != _2976 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[9056 + k] = (
-                UNREACHABLE if _8544 != _8544 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3488 + k] = (
+                UNREACHABLE if _2976 != _2976 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

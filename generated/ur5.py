@@ -1000,16 +1000,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [6528, 6560, 6592, 6624, 6656, 6688],
-    [6528, 6720, 6752, 6784, 6656, 6688],
-    [6816, 6848, 6880, 6912, 6944, 6976],
-    [6816, 7008, 7040, 7072, 6944, 6976],
-    [7104, 7136, 7168, 7200, 7232, 7264],
-    [7104, 7296, 7328, 7360, 7232, 7264],
-    [7392, 7424, 7456, 7488, 7520, 7552],
-    [7392, 7584, 7616, 7648, 7520, 7552],
+    [2112, 2144, 2176, 2208, 2240, 2272],
+    [2112, 2304, 2336, 2368, 2240, 2272],
+    [2400, 2432, 2464, 2496, 2528, 2560],
+    [2400, 2592, 2624, 2656, 2528, 2560],
+    [2688, 2720, 2752, 2784, 2816, 2848],
+    [2688, 2880, 2912, 2944, 2816, 2848],
+    [2976, 3008, 3040, 3072, 3104, 3136],
+    [2976, 3168, 3200, 3232, 3104, 3136],
 ])
-_KINDS = np.array([7680, 7712, 7744, 7776, 7808, 7840, 7872, 7904])
+_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
 _LEFT_OVER = 255
 
 
@@ -1020,7 +1020,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(7936)
+    work = np.empty(3520)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1186,87 +1186,87 @@ def _in_tiles(T, q, status):
                 longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
                 (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
             )
-            work[1984 + k] = v14
-            work[672 + k] = v15
-            work[832 + k] = s234_p
-            work[3648 + k] = s234_m
-            work[4128 + k] = v33
-            work[4160 + k] = v34
-            work[4192 + k] = v35
-            work[4224 + k] = v36
-            work[4256 + k] = doubt
-            work[4288 + k] = v9
-            work[4320 + k] = -v10
-            work[4352 + k] = -v14
-            work[4384 + k] = -v15
-            work[4416 + k] = w6_p
-            work[4448 + k] = w6_m
-            work[4480 + k] = s234_p
-            work[4512 + k] = s234_m
-            work[4544 + k] = w3_pp
-            work[4576 + k] = w3_pm
-            work[4608 + k] = w3_mp
-            work[4640 + k] = w3_mm
-            work[4672 + k] = S2_ppp
-            work[4704 + k] = S2_ppm
-            work[4736 + k] = S2_pmp
-            work[4768 + k] = S2_pmm
-            work[4800 + k] = S2_mpp
-            work[4832 + k] = S2_mpm
-            work[4864 + k] = S2_mmp
-            work[4896 + k] = S2_mmm
-            work[4928 + k] = -v4
-            work[4960 + k] = -v5
-            work[4992 + k] = v12
-            work[5024 + k] = v13
-            work[5056 + k] = c5_p
-            work[5088 + k] = c5_m
-            work[5120 + k] = c234_p
-            work[5152 + k] = c234_m
-            work[5184 + k] = K3_pp
-            work[5216 + k] = K3_pm
-            work[5248 + k] = K3_mp
-            work[5280 + k] = K3_mm
-            work[5312 + k] = C2_ppp
-            work[5344 + k] = C2_ppm
-            work[5376 + k] = C2_pmp
-            work[5408 + k] = C2_pmm
-            work[5440 + k] = C2_mpp
-            work[5472 + k] = C2_mpm
-            work[5504 + k] = C2_mmp
-            work[5536 + k] = C2_mmm
-        for k in range(4288, 4928):
+            work[544 + k] = v14
+            work[576 + k] = v15
+            work[608 + k] = s234_p
+            work[640 + k] = s234_m
+            work[672 + k] = v33
+            work[704 + k] = v34
+            work[736 + k] = v35
+            work[768 + k] = v36
+            work[800 + k] = doubt
+            work[832 + k] = v9
+            work[864 + k] = -v10
+            work[896 + k] = -v14
+            work[928 + k] = -v15
+            work[960 + k] = w6_p
+            work[992 + k] = w6_m
+            work[1024 + k] = s234_p
+            work[1056 + k] = s234_m
+            work[1088 + k] = w3_pp
+            work[1120 + k] = w3_pm
+            work[1152 + k] = w3_mp
+            work[1184 + k] = w3_mm
+            work[1216 + k] = S2_ppp
+            work[1248 + k] = S2_ppm
+            work[1280 + k] = S2_pmp
+            work[1312 + k] = S2_pmm
+            work[1344 + k] = S2_mpp
+            work[1376 + k] = S2_mpm
+            work[1408 + k] = S2_mmp
+            work[1440 + k] = S2_mmm
+            work[1472 + k] = -v4
+            work[1504 + k] = -v5
+            work[1536 + k] = v12
+            work[1568 + k] = v13
+            work[1600 + k] = c5_p
+            work[1632 + k] = c5_m
+            work[1664 + k] = c234_p
+            work[1696 + k] = c234_m
+            work[1728 + k] = K3_pp
+            work[1760 + k] = K3_pm
+            work[1792 + k] = K3_mp
+            work[1824 + k] = K3_mm
+            work[1856 + k] = C2_ppp
+            work[1888 + k] = C2_ppm
+            work[1920 + k] = C2_pmp
+            work[1952 + k] = C2_pmm
+            work[1984 + k] = C2_mpp
+            work[2016 + k] = C2_mpm
+            work[2048 + k] = C2_mmp
+            work[2080 + k] = C2_mmm
+        for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v15 = work[672 + k]
-            s234_p = work[832 + k]
-            v14 = work[1984 + k]
-            s234_m = work[3648 + k]
-            v33 = work[4128 + k]
-            v34 = work[4160 + k]
-            v35 = work[4192 + k]
-            v36 = work[4224 + k]
-            doubt = work[4256 + k] != 0.0
-            angle1 = work[4288 + k]
-            angle1_ = work[4320 + k]
-            angle1__ = work[4352 + k]
-            angle1___ = work[4384 + k]
-            angle1____ = work[4416 + k]
-            angle1_____ = work[4448 + k]
-            angle1______ = work[4480 + k]
-            angle1_______ = work[4512 + k]
-            angle1________ = work[4544 + k]
-            angle1_________ = work[4576 + k]
-            angle1__________ = work[4608 + k]
-            angle1___________ = work[4640 + k]
-            angle1____________ = work[4672 + k]
-            angle1_____________ = work[4704 + k]
-            angle1______________ = work[4736 + k]
-            angle1_______________ = work[4768 + k]
-            angle1________________ = work[4800 + k]
-            angle1_________________ = work[4832 + k]
-            angle1__________________ = work[4864 + k]
-            angle1___________________ = work[4896 + k]
+            v14 = work[544 + k]
+            v15 = work[576 + k]
+            s234_p = work[608 + k]
+            s234_m = work[640 + k]
+            v33 = work[672 + k]
+            v34 = work[704 + k]
+            v35 = work[736 + k]
+            v36 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            angle1__________________ = work[1408 + k]
+            angle1___________________ = work[1440 + k]
             theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
             theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
             v53 = angle1______ - (angle1________ + angle1____________)
@@ -1297,86 +1297,86 @@ def _in_tiles(T, q, status):
             q6_pmp = v34 + (angle1__ - math.copysign(half_turn, -v14) * h1)
             q6_mpp = angle1___ + v35
             q6_mmp = v36 + (angle1___ - math.copysign(half_turn, -v15) * h1)
-            _6528 = q1_ppp
-            work[6528 + k] = _6528
-            _6560 = angle1____________
-            work[6560 + k] = _6560
-            _6592 = angle1________
-            work[6592 + k] = _6592
-            _6624 = q4_ppp
-            work[6624 + k] = _6624
-            _6656 = q5_ppp
-            work[6656 + k] = _6656
-            _6688 = q6_ppp
-            work[6688 + k] = _6688
-            _6720 = angle1_____________
-            work[6720 + k] = _6720
-            _6752 = -angle1________
-            work[6752 + k] = _6752
-            _6784 = q4_ppm
-            work[6784 + k] = _6784
-            _6816 = q1_pmp
-            work[6816 + k] = _6816
-            _6848 = angle1______________
-            work[6848 + k] = _6848
-            _6880 = angle1_________
-            work[6880 + k] = _6880
-            _6912 = q4_pmp
-            work[6912 + k] = _6912
-            _6944 = q5_pmp
-            work[6944 + k] = _6944
-            _6976 = q6_pmp
-            work[6976 + k] = _6976
-            _7008 = angle1_______________
-            work[7008 + k] = _7008
-            _7040 = -angle1_________
-            work[7040 + k] = _7040
-            _7072 = q4_pmm
-            work[7072 + k] = _7072
-            _7104 = q1_mpp
-            work[7104 + k] = _7104
-            _7136 = angle1________________
-            work[7136 + k] = _7136
-            _7168 = angle1__________
-            work[7168 + k] = _7168
-            _7200 = q4_mpp
-            work[7200 + k] = _7200
-            _7232 = q5_mpp
-            work[7232 + k] = _7232
-            _7264 = q6_mpp
-            work[7264 + k] = _7264
-            _7296 = angle1_________________
-            work[7296 + k] = _7296
-            _7328 = -angle1__________
-            work[7328 + k] = _7328
-            _7360 = q4_mpm
-            work[7360 + k] = _7360
-            _7392 = q1_mmp
-            work[7392 + k] = _7392
-            _7424 = angle1__________________
-            work[7424 + k] = _7424
-            _7456 = angle1___________
-            work[7456 + k] = _7456
-            _7488 = q4_mmp
-            work[7488 + k] = _7488
-            _7520 = q5_mmp
-            work[7520 + k] = _7520
-            _7552 = q6_mmp
-            work[7552 + k] = _7552
-            _7584 = angle1___________________
-            work[7584 + k] = _7584
-            _7616 = -angle1___________
-            work[7616 + k] = _7616
-            _7648 = q4_mmm
-            work[7648 + k] = _7648
-            work[7680 + k] = UNREACHABLE if _6528 != _6528 else OK
-            work[7712 + k] = UNREACHABLE if _6528 != _6528 else OK
-            work[7744 + k] = UNREACHABLE if _6816 != _6816 else OK
-            work[7776 + k] = UNREACHABLE if _6816 != _6816 else OK
-            work[7808 + k] = UNREACHABLE if _7104 != _7104 else OK
-            work[7840 + k] = UNREACHABLE if _7104 != _7104 else OK
-            work[7872 + k] = UNREACHABLE if _7392 != _7392 else OK
-            work[7904 + k] = UNREACHABLE if _7392 != _7392 else OK
+            _2112 = q1_ppp
+            work[2112 + k] = _2112
+            _2144 = angle1____________
+            work[2144 + k] = _2144
+            _2176 = angle1________
+            work[2176 + k] = _2176
+            _2208 = q4_ppp
+            work[2208 + k] = _2208
+            _2240 = q5_ppp
+            work[2240 + k] = _2240
+            _2272 = q6_ppp
+            work[2272 + k] = _2272
+            _2304 = angle1_____________
+            work[2304 + k] = _2304
+            _2336 = -angle1________
+            work[2336 + k] = _2336
+            _2368 = q4_ppm
+            work[2368 + k] = _2368
+            _2400 = q1_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1______________
+            work[2432 + k] = _2432
+            _2464 = angle1_________
+            work[2464 + k] = _2464
+            _2496 = q4_pmp
+            work[2496 + k] = _2496
+            _2528 = q5_pmp
+            work[2528 + k] = _2528
+            _2560 = q6_pmp
+            work[2560 + k] = _2560
+            _2592 = angle1_______________
+            work[2592 + k] = _2592
+            _2624 = -angle1_________
+            work[2624 + k] = _2624
+            _2656 = q4_pmm
+            work[2656 + k] = _2656
+            _2688 = q1_mpp
+            work[2688 + k] = _2688
+            _2720 = angle1________________
+            work[2720 + k] = _2720
+            _2752 = angle1__________
+            work[2752 + k] = _2752
+            _2784 = q4_mpp
+            work[2784 + k] = _2784
+            _2816 = q5_mpp
+            work[2816 + k] = _2816
+            _2848 = q6_mpp
+            work[2848 + k] = _2848
+            _2880 = angle1_________________
+            work[2880 + k] = _2880
+            _2912 = -angle1__________
+            work[2912 + k] = _2912
+            _2944 = q4_mpm
+            work[2944 + k] = _2944
+            _2976 = q1_mmp
+            work[2976 + k] = _2976
+            _3008 = angle1__________________
+            work[3008 + k] = _3008
+            _3040 = angle1___________
+            work[3040 + k] = _3040
+            _3072 = q4_mmp
+            work[3072 + k] = _3072
+            _3104 = q5_mmp
+            work[3104 + k] = _3104
+            _3136 = q6_mmp
+            work[3136 + k] = _3136
+            _3168 = angle1___________________
+            work[3168 + k] = _3168
+            _3200 = -angle1___________
+            work[3200 + k] = _3200
+            _3232 = q4_mmm
+            work[3232 + k] = _3232
+            work[3264 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3296 + k] = UNREACHABLE if _2112 != _2112 else OK
+            work[3328 + k] = UNREACHABLE if _2400 != _2400 else OK
+            work[3360 + k] = UNREACHABLE if _2400 != _2400 else OK
+            work[3392 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[3424 + k] = UNREACHABLE if _2688 != _2688 else OK
+            work[3456 + k] = UNREACHABLE if _2976 != _2976 else OK
+            work[3488 + k] = UNREACHABLE if _2976 != _2976 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -669,10 +669,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3936, 3968, 4000],
-    [4032, 4064, 4096],
+    [1024, 1056, 1088],
+    [1120, 1152, 1184],
 ])
-_KINDS = np.array([4128, 4160])
+_KINDS = np.array([1216, 1248])
 _LEFT_OVER = 255
 
 
@@ -683,7 +683,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(4192)
+    work = np.empty(1280)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -835,53 +835,53 @@ def _in_tiles(T, q, status):
                 (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or (v16 <= m1 or v29 <=
                 m1))
             )
-            work[3264 + k] = v70
-            work[3296 + k] = v71
-            work[3328 + k] = doubt
-            work[3360 + k] = v9
-            work[3392 + k] = -v10
-            work[3424 + k] = -v33
-            work[3456 + k] = -v34
-            work[3488 + k] = -S3_p
-            work[3520 + k] = -S3_m
-            work[3552 + k] = v6
-            work[3584 + k] = v7
-            work[3616 + k] = -v31
-            work[3648 + k] = -v32
-            work[3680 + k] = -C3_p
-            work[3712 + k] = -C3_m
-        for k in range(3360, 3552):
+            work[544 + k] = v70
+            work[576 + k] = v71
+            work[608 + k] = doubt
+            work[640 + k] = v9
+            work[672 + k] = -v10
+            work[704 + k] = -v33
+            work[736 + k] = -v34
+            work[768 + k] = -S3_p
+            work[800 + k] = -S3_m
+            work[832 + k] = v6
+            work[864 + k] = v7
+            work[896 + k] = -v31
+            work[928 + k] = -v32
+            work[960 + k] = -C3_p
+            work[992 + k] = -C3_m
+        for k in range(640, 832):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
-            v70 = work[3264 + k]
-            v71 = work[3296 + k]
-            doubt = work[3328 + k] != 0.0
-            angle1 = work[3360 + k]
-            angle1_ = work[3392 + k]
-            angle1__ = work[3424 + k]
-            angle1___ = work[3456 + k]
-            angle1____ = work[3488 + k]
-            angle1_____ = work[3520 + k]
+            v70 = work[544 + k]
+            v71 = work[576 + k]
+            doubt = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            angle1__ = work[704 + k]
+            angle1___ = work[736 + k]
+            angle1____ = work[768 + k]
+            angle1_____ = work[800 + k]
             q1_p = v70 + angle1
             q1_m = v71 + angle1_
             q2_p = v70 + angle1__
             q2_m = v71 + angle1___
             q3_p = v70 + angle1____
             q3_m = v71 + angle1_____
-            _3936 = q1_p
-            work[3936 + k] = _3936
-            _3968 = q2_p
-            work[3968 + k] = _3968
-            _4000 = q3_p
-            work[4000 + k] = _4000
-            _4032 = q1_m
-            work[4032 + k] = _4032
-            _4064 = q2_m
-            work[4064 + k] = _4064
-            _4096 = q3_m
-            work[4096 + k] = _4096
-            work[4128 + k] = UNREACHABLE if _3936 != _3936 else OK
-            work[4160 + k] = UNREACHABLE if _4032 != _4032 else OK
+            _1024 = q1_p
+            work[1024 + k] = _1024
+            _1056 = q2_p
+            work[1056 + k] = _1056
+            _1088 = q3_p
+            work[1088 + k] = _1088
+            _1120 = q1_m
+            work[1120 + k] = _1120
+            _1152 = q2_m
+            work[1152 + k] = _1152
+            _1184 = q3_m
+            work[1184 + k] = _1184
+            work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1248 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -419,10 +419,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
+    [800, 832, 864],
     [896, 928, 960],
-    [992, 1024, 1056],
 ])
-_KINDS = np.array([1088, 1120])
+_KINDS = np.array([992, 1024])
 _LEFT_OVER = 255
 
 
@@ -433,7 +433,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1152)
+    work = np.empty(1056)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -463,39 +463,39 @@ def _in_tiles(T, q, status):
             v1 = T23 * T23 + T13 * T13
             doubt = v1 <= m1
             v2 = T13 * T22 - T23 * T12
-            work[608 + k] = doubt
+            work[544 + k] = doubt
             work[576 + k] = v2
-            work[640 + k] = -T13
-            work[672 + k] = -math.sqrt(v1)
-            work[704 + k] = v2
-            work[736 + k] = T23
-            work[768 + k] = T33
-            work[800 + k] = T23 * T11 - T13 * T21
-        for k in range(640, 736):
+            work[608 + k] = -T13
+            work[640 + k] = -math.sqrt(v1)
+            work[672 + k] = v2
+            work[704 + k] = T23
+            work[736 + k] = T33
+            work[768 + k] = T23 * T11 - T13 * T21
+        for k in range(608, 704):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T13 = work[64 + k]
+            doubt = work[544 + k] != 0.0
             v2 = work[576 + k]
-            doubt = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
+            angle1 = work[608 + k]
+            angle1_ = work[640 + k]
+            angle1__ = work[672 + k]
             q1_m = angle1 - math.copysign(half_turn, -T13) * h1
             q3_m = angle1__ - h1 * math.copysign(half_turn, v2)
-            _896 = angle1
+            _800 = angle1
+            work[800 + k] = _800
+            _832 = angle1_
+            work[832 + k] = _832
+            _864 = angle1__
+            work[864 + k] = _864
+            _896 = q1_m
             work[896 + k] = _896
-            _928 = angle1_
+            _928 = -angle1_
             work[928 + k] = _928
-            _960 = angle1__
+            _960 = q3_m
             work[960 + k] = _960
-            _992 = q1_m
-            work[992 + k] = _992
-            _1024 = -angle1_
-            work[1024 + k] = _1024
-            _1056 = q3_m
-            work[1056 + k] = _1056
-            work[1088 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1120 + k] = UNREACHABLE if _992 != _992 else OK
+            work[992 + k] = UNREACHABLE if _800 != _800 else OK
+            work[1024 + k] = UNREACHABLE if _896 != _896 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -947,12 +947,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [5568, 5600, 5632, 5664, 5696],
-    [5728, 5760, 5792, 5824, 5856],
-    [5888, 5920, 5952, 5984, 6016],
-    [6048, 6080, 6112, 6144, 6176],
+    [1408, 1440, 1472, 1504, 1536],
+    [1568, 1600, 1632, 1664, 1696],
+    [1728, 1760, 1792, 1824, 1856],
+    [1888, 1920, 1952, 1984, 2016],
 ])
-_KINDS = np.array([6208, 6240, 6272, 6304])
+_KINDS = np.array([2048, 2080, 2112, 2144])
 _LEFT_OVER = 255
 
 
@@ -963,7 +963,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(6336)
+    work = np.empty(2176)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1126,55 +1126,55 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m2 or (free234 or v1 <=
                 m1)))))))
             )
-            work[768 + k] = Z2_5
-            work[3392 + k] = v18
-            work[3424 + k] = v19
-            work[3456 + k] = v43
-            work[3488 + k] = v44
-            work[3520 + k] = v45
-            work[3552 + k] = v46
-            work[3584 + k] = v47
-            work[3616 + k] = doubt
-            work[3648 + k] = -Z2_234
-            work[3680 + k] = -Z2_5
-            work[3712 + k] = w3_p
-            work[3744 + k] = w3_m
-            work[3776 + k] = S2_pp
-            work[3808 + k] = S2_pm
-            work[3840 + k] = S2_mp
-            work[3872 + k] = S2_mm
-            work[3904 + k] = T24
-            work[3936 + k] = T33
-            work[3968 + k] = -Z1_5
-            work[4000 + k] = K3_p
-            work[4032 + k] = K3_m
-            work[4064 + k] = C2_pp
-            work[4096 + k] = C2_pm
-            work[4128 + k] = C2_mp
-            work[4160 + k] = -v28
-            work[4192 + k] = T14
-        for k in range(3648, 3936):
+            work[544 + k] = Z2_5
+            work[576 + k] = v18
+            work[608 + k] = v19
+            work[640 + k] = v43
+            work[672 + k] = v44
+            work[704 + k] = v45
+            work[736 + k] = v46
+            work[768 + k] = v47
+            work[800 + k] = doubt
+            work[832 + k] = -Z2_234
+            work[864 + k] = -Z2_5
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = S2_pp
+            work[992 + k] = S2_pm
+            work[1024 + k] = S2_mp
+            work[1056 + k] = S2_mm
+            work[1088 + k] = T24
+            work[1120 + k] = T33
+            work[1152 + k] = -Z1_5
+            work[1184 + k] = K3_p
+            work[1216 + k] = K3_m
+            work[1248 + k] = C2_pp
+            work[1280 + k] = C2_pm
+            work[1312 + k] = C2_mp
+            work[1344 + k] = -v28
+            work[1376 + k] = T14
+        for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
-            Z2_5 = work[768 + k]
-            v18 = work[3392 + k]
-            v19 = work[3424 + k]
-            v43 = work[3456 + k]
-            v44 = work[3488 + k]
-            v45 = work[3520 + k]
-            v46 = work[3552 + k]
-            v47 = work[3584 + k]
-            doubt = work[3616 + k] != 0.0
-            angle1 = work[3648 + k]
-            angle1_ = work[3680 + k]
-            angle1__ = work[3712 + k]
-            angle1___ = work[3744 + k]
-            angle1____ = work[3776 + k]
-            angle1_____ = work[3808 + k]
-            angle1______ = work[3840 + k]
-            angle1_______ = work[3872 + k]
-            angle1________ = work[3904 + k]
+            Z2_5 = work[544 + k]
+            v18 = work[576 + k]
+            v19 = work[608 + k]
+            v43 = work[640 + k]
+            v44 = work[672 + k]
+            v45 = work[704 + k]
+            v46 = work[736 + k]
+            v47 = work[768 + k]
+            doubt = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
             v48 = angle1________ - offset1
             v49 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
             v50 = angle1____ - offset2
@@ -1217,50 +1217,50 @@ def _in_tiles(T, q, status):
             q5_pm = v45 + v68
             q5_mp = v46 + v69
             q5_mm = v47 + v69
-            _5568 = q1_pp
-            work[5568 + k] = _5568
-            _5600 = q2_pp
-            work[5600 + k] = _5600
-            _5632 = q3_pp
-            work[5632 + k] = _5632
-            _5664 = q4_pp
-            work[5664 + k] = _5664
-            _5696 = q5_pp
-            work[5696 + k] = _5696
-            _5728 = q1_pm
-            work[5728 + k] = _5728
-            _5760 = q2_pm
-            work[5760 + k] = _5760
-            _5792 = q3_pm
-            work[5792 + k] = _5792
-            _5824 = q4_pm
-            work[5824 + k] = _5824
-            _5856 = q5_pm
-            work[5856 + k] = _5856
-            _5888 = q1_mp
-            work[5888 + k] = _5888
-            _5920 = q2_mp
-            work[5920 + k] = _5920
-            _5952 = q3_mp
-            work[5952 + k] = _5952
-            _5984 = q4_mp
-            work[5984 + k] = _5984
-            _6016 = q5_mp
-            work[6016 + k] = _6016
-            _6048 = q1_mm
-            work[6048 + k] = _6048
-            _6080 = q2_mm
-            work[6080 + k] = _6080
-            _6112 = q3_mm
-            work[6112 + k] = _6112
-            _6144 = q4_mm
-            work[6144 + k] = _6144
-            _6176 = q5_mm
-            work[6176 + k] = _6176
-            work[6208 + k] = UNREACHABLE if _5568 != _5568 else OK
-            work[6240 + k] = UNREACHABLE if _5728 != _5728 else OK
-            work[6272 + k] = UNREACHABLE if _5888 != _5888 else OK
-            work[6304 + k] = UNREACHABLE if _6048 != _6048 else OK
+            _1408 = q1_pp
+            work[1408 + k] = _1408
+            _1440 = q2_pp
+            work[1440 + k] = _1440
+            _1472 = q3_pp
+            work[1472 + k] = _1472
+            _1504 = q4_pp
+            work[1504 + k] = _1504
+            _1536 = q5_pp
+            work[1536 + k] = _1536
+            _1568 = q1_pm
+            work[1568 + k] = _1568
+            _1600 = q2_pm
+            work[1600 + k] = _1600
+            _1632 = q3_pm
+            work[1632 + k] = _1632
+            _1664 = q4_pm
+            work[1664 + k] = _1664
+            _1696 = q5_pm
+            work[1696 + k] = _1696
+            _1728 = q1_mp
+            work[1728 + k] = _1728
+            _1760 = q2_mp
+            work[1760 + k] = _1760
+            _1792 = q3_mp
+            work[1792 + k] = _1792
+            _1824 = q4_mp
+            work[1824 + k] = _1824
+            _1856 = q5_mp
+            work[1856 + k] = _1856
+            _1888 = q1_mm
+            work[1888 + k] = _1888
+            _1920 = q2_mm
+            work[1920 + k] = _1920
+            _1952 = q3_mm
+            work[1952 + k] = _1952
+            _1984 = q4_mm
+            work[1984 + k] = _1984
+            _2016 = q5_mm
+            work[2016 + k] = _2016
+            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
+            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -919,16 +919,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [7392, 7424, 7456, 7488, 7520, 7552],
-    [7392, 7424, 7456, 7584, 7616, 7648],
-    [7392, 7680, 7712, 7744, 7776, 7808],
-    [7392, 7680, 7712, 7840, 7872, 7904],
-    [7936, 7968, 8000, 8032, 8064, 8096],
-    [7936, 7968, 8000, 8128, 8160, 8192],
-    [7936, 8224, 8256, 8288, 8320, 8352],
-    [7936, 8224, 8256, 8384, 8416, 8448],
+    [2080, 2112, 2144, 2176, 2208, 2240],
+    [2080, 2112, 2144, 2272, 2304, 2336],
+    [2080, 2368, 2400, 2432, 2464, 2496],
+    [2080, 2368, 2400, 2528, 2560, 2592],
+    [2624, 2656, 2688, 2720, 2752, 2784],
+    [2624, 2656, 2688, 2816, 2848, 2880],
+    [2624, 2912, 2944, 2976, 3008, 3040],
+    [2624, 2912, 2944, 3072, 3104, 3136],
 ])
-_KINDS = np.array([8480, 8512, 8544, 8576, 8608, 8640, 8672, 8704])
+_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
 _LEFT_OVER = 255
 
 
@@ -939,7 +939,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(8736)
+    work = np.empty(3424)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1076,86 +1076,86 @@ def _in_tiles(T, q, status):
                 <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
-            work[608 + k] = Y1
-            work[1280 + k] = w3_p
-            work[2688 + k] = w3_m
-            work[3488 + k] = v39
-            work[3520 + k] = v40
-            work[2208 + k] = v57
-            work[928 + k] = v58
-            work[1216 + k] = v59
-            work[3168 + k] = v60
-            work[3552 + k] = doubt
-            work[3584 + k] = Y1
-            work[3616 + k] = w3_p
-            work[3648 + k] = w3_m
-            work[3680 + k] = -v33
-            work[3712 + k] = -v33
-            work[3744 + k] = v33
-            work[3776 + k] = v33
-            work[3808 + k] = -v16
-            work[3840 + k] = -v17
-            work[3872 + k] = -v18
-            work[3904 + k] = -v19
-            work[3936 + k] = -math.sqrt(v35)
-            work[3968 + k] = -math.sqrt(v36)
-            work[4000 + k] = -math.sqrt(v37)
-            work[4032 + k] = -math.sqrt(v38)
-            work[4064 + k] = v57
-            work[4096 + k] = v58
-            work[4128 + k] = v59
-            work[4160 + k] = v60
-            work[4192 + k] = -wx
-            work[4224 + k] = K3_p
-            work[4256 + k] = K3_m
-            work[4288 + k] = c4_pp
-            work[4320 + k] = c4_pm
-            work[4352 + k] = c4_mp
-            work[4384 + k] = c4_mm
-            work[4416 + k] = C2_pp
-            work[4448 + k] = C2_pm
-            work[4480 + k] = C2_mp
-            work[4512 + k] = C2_mm
-            work[4544 + k] = T33 * c2m3_pp - v28 * v32
-            work[4576 + k] = T33 * c2m3_pm - v29 * v32
-            work[4608 + k] = T33 * c2m3_mp + v30 * v32
-            work[4640 + k] = T33 * c2m3_mm + v31 * v32
-            work[4672 + k] = v33 * (v28 * T32 + c2m3_pp * v42) - c4_pp * v41
-            work[4704 + k] = v33 * (v29 * T32 + c2m3_pm * v42) - c4_pm * v41
-            work[4736 + k] = c4_mp * v41 - v33 * (v30 * T32 - c2m3_mp * v42)
-            work[4768 + k] = c4_mm * v41 - v33 * (v31 * T32 - c2m3_mm * v42)
-        for k in range(3584, 4192):
+            work[544 + k] = Y1
+            work[576 + k] = w3_p
+            work[608 + k] = w3_m
+            work[640 + k] = v39
+            work[672 + k] = v40
+            work[704 + k] = v57
+            work[736 + k] = v58
+            work[768 + k] = v59
+            work[800 + k] = v60
+            work[832 + k] = doubt
+            work[864 + k] = Y1
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = -v33
+            work[992 + k] = -v33
+            work[1024 + k] = v33
+            work[1056 + k] = v33
+            work[1088 + k] = -v16
+            work[1120 + k] = -v17
+            work[1152 + k] = -v18
+            work[1184 + k] = -v19
+            work[1216 + k] = -math.sqrt(v35)
+            work[1248 + k] = -math.sqrt(v36)
+            work[1280 + k] = -math.sqrt(v37)
+            work[1312 + k] = -math.sqrt(v38)
+            work[1344 + k] = v57
+            work[1376 + k] = v58
+            work[1408 + k] = v59
+            work[1440 + k] = v60
+            work[1472 + k] = -wx
+            work[1504 + k] = K3_p
+            work[1536 + k] = K3_m
+            work[1568 + k] = c4_pp
+            work[1600 + k] = c4_pm
+            work[1632 + k] = c4_mp
+            work[1664 + k] = c4_mm
+            work[1696 + k] = C2_pp
+            work[1728 + k] = C2_pm
+            work[1760 + k] = C2_mp
+            work[1792 + k] = C2_mm
+            work[1824 + k] = T33 * c2m3_pp - v28 * v32
+            work[1856 + k] = T33 * c2m3_pm - v29 * v32
+            work[1888 + k] = T33 * c2m3_mp + v30 * v32
+            work[1920 + k] = T33 * c2m3_mm + v31 * v32
+            work[1952 + k] = v33 * (v28 * T32 + c2m3_pp * v42) - c4_pp * v41
+            work[1984 + k] = v33 * (v29 * T32 + c2m3_pm * v42) - c4_pm * v41
+            work[2016 + k] = c4_mp * v41 - v33 * (v30 * T32 - c2m3_mp * v42)
+            work[2048 + k] = c4_mm * v41 - v33 * (v31 * T32 - c2m3_mm * v42)
+        for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            Y1 = work[608 + k]
-            v58 = work[928 + k]
-            v59 = work[1216 + k]
-            w3_p = work[1280 + k]
-            v57 = work[2208 + k]
-            w3_m = work[2688 + k]
-            v60 = work[3168 + k]
-            v39 = work[3488 + k]
-            v40 = work[3520 + k]
-            doubt = work[3552 + k] != 0.0
-            angle1 = work[3584 + k]
-            angle1_ = work[3616 + k]
-            angle1__ = work[3648 + k]
-            angle1___ = work[3680 + k]
-            angle1____ = work[3712 + k]
-            angle1_____ = work[3744 + k]
-            angle1______ = work[3776 + k]
-            angle1_______ = work[3808 + k]
-            angle1________ = work[3840 + k]
-            angle1_________ = work[3872 + k]
-            angle1__________ = work[3904 + k]
-            angle1___________ = work[3936 + k]
-            angle1____________ = work[3968 + k]
-            angle1_____________ = work[4000 + k]
-            angle1______________ = work[4032 + k]
-            angle1_______________ = work[4064 + k]
-            angle1________________ = work[4096 + k]
-            angle1_________________ = work[4128 + k]
-            angle1__________________ = work[4160 + k]
+            Y1 = work[544 + k]
+            w3_p = work[576 + k]
+            w3_m = work[608 + k]
+            v39 = work[640 + k]
+            v40 = work[672 + k]
+            v57 = work[704 + k]
+            v58 = work[736 + k]
+            v59 = work[768 + k]
+            v60 = work[800 + k]
+            doubt = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle1_ = work[896 + k]
+            angle1__ = work[928 + k]
+            angle1___ = work[960 + k]
+            angle1____ = work[992 + k]
+            angle1_____ = work[1024 + k]
+            angle1______ = work[1056 + k]
+            angle1_______ = work[1088 + k]
+            angle1________ = work[1120 + k]
+            angle1_________ = work[1152 + k]
+            angle1__________ = work[1184 + k]
+            angle1___________ = work[1216 + k]
+            angle1____________ = work[1248 + k]
+            angle1_____________ = work[1280 + k]
+            angle1______________ = work[1312 + k]
+            angle1_______________ = work[1344 + k]
+            angle1________________ = work[1376 + k]
+            angle1_________________ = work[1408 + k]
+            angle1__________________ = work[1440 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
             q3__pp = angle1_ - turn1
             v14 = turn1 + angle1_
@@ -1237,97 +1237,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v85 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v86 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v86 or (q5_mmm < low5 or high5 < q5_mmm)
-            _7392 = q1_ppp
-            work[7392 + k] = _7392
-            _7424 = q2_ppp
-            work[7424 + k] = _7424
-            _7456 = q3_ppp
-            work[7456 + k] = _7456
-            _7488 = angle1___
-            work[7488 + k] = _7488
-            _7520 = q5_ppp
-            work[7520 + k] = _7520
-            _7552 = q6_ppp
-            work[7552 + k] = _7552
-            _7584 = q4_ppm
-            work[7584 + k] = _7584
-            _7616 = q5_ppm
-            work[7616 + k] = _7616
-            _7648 = q6_ppm
-            work[7648 + k] = _7648
-            _7680 = q2_pmp
-            work[7680 + k] = _7680
-            _7712 = q3_pmp
-            work[7712 + k] = _7712
-            _7744 = angle1____
-            work[7744 + k] = _7744
-            _7776 = q5_pmp
-            work[7776 + k] = _7776
-            _7808 = q6_pmp
-            work[7808 + k] = _7808
-            _7840 = q4_pmm
-            work[7840 + k] = _7840
-            _7872 = q5_pmm
-            work[7872 + k] = _7872
-            _7904 = q6_pmm
-            work[7904 + k] = _7904
-            _7936 = q1_mpp
-            work[7936 + k] = _7936
-            _7968 = q2_mpp
-            work[7968 + k] = _7968
-            _8000 = q3_mpp
-            work[8000 + k] = _8000
-            _8032 = angle1_____
-            work[8032 + k] = _8032
-            _8064 = q5_mpp
-            work[8064 + k] = _8064
-            _8096 = q6_mpp
-            work[8096 + k] = _8096
-            _8128 = q4_mpm
-            work[8128 + k] = _8128
-            _8160 = q5_mpm
-            work[8160 + k] = _8160
-            _8192 = q6_mpm
-            work[8192 + k] = _8192
-            _8224 = q2_mmp
-            work[8224 + k] = _8224
-            _8256 = q3_mmp
-            work[8256 + k] = _8256
-            _8288 = angle1______
-            work[8288 + k] = _8288
-            _8320 = q5_mmp
-            work[8320 + k] = _8320
-            _8352 = q6_mmp
-            work[8352 + k] = _8352
-            _8384 = q4_mmm
-            work[8384 + k] = _8384
-            _8416 = q5_mmm
-            work[8416 + k] = _8416
-            _8448 = q6_mmm
-            work[8448 + k] = _8448
-            work[8480 + k] = (
-                UNREACHABLE if _7392 != _7392 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _2080 = q1_ppp
+            work[2080 + k] = _2080
+            _2112 = q2_ppp
+            work[2112 + k] = _2112
+            _2144 = q3_ppp
+            work[2144 + k] = _2144
+            _2176 = angle1___
+            work[2176 + k] = _2176
+            _2208 = q5_ppp
+            work[2208 + k] = _2208
+            _2240 = q6_ppp
+            work[2240 + k] = _2240
+            _2272 = q4_ppm
+            work[2272 + k] = _2272
+            _2304 = q5_ppm
+            work[2304 + k] = _2304
+            _2336 = q6_ppm
+            work[2336 + k] = _2336
+            _2368 = q2_pmp
+            work[2368 + k] = _2368
+            _2400 = q3_pmp
+            work[2400 + k] = _2400
+            _2432 = angle1____
+            work[2432 + k] = _2432
+            _2464 = q5_pmp
+            work[2464 + k] = _2464
+            _2496 = q6_pmp
+            work[2496 + k] = _2496
+            _2528 = q4_pmm
+            work[2528 + k] = _2528
+            _2560 = q5_pmm
+            work[2560 + k] = _2560
+            _2592 = q6_pmm
+            work[2592 + k] = _2592
+            _2624 = q1_mpp
+            work[2624 + k] = _2624
+            _2656 = q2_mpp
+            work[2656 + k] = _2656
+            _2688 = q3_mpp
+            work[2688 + k] = _2688
+            _2720 = angle1_____
+            work[2720 + k] = _2720
+            _2752 = q5_mpp
+            work[2752 + k] = _2752
+            _2784 = q6_mpp
+            work[2784 + k] = _2784
+            _2816 = q4_mpm
+            work[2816 + k] = _2816
+            _2848 = q5_mpm
+            work[2848 + k] = _2848
+            _2880 = q6_mpm
+            work[2880 + k] = _2880
+            _2912 = q2_mmp
+            work[2912 + k] = _2912
+            _2944 = q3_mmp
+            work[2944 + k] = _2944
+            _2976 = angle1______
+            work[2976 + k] = _2976
+            _3008 = q5_mmp
+            work[3008 + k] = _3008
+            _3040 = q6_mmp
+            work[3040 + k] = _3040
+            _3072 = q4_mmm
+            work[3072 + k] = _3072
+            _3104 = q5_mmm
+            work[3104 + k] = _3104
+            _3136 = q6_mmm
+            work[3136 + k] = _3136
+            work[3168 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[8512 + k] = (
-                UNREACHABLE if _7392 != _7392 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3200 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[8544 + k] = (
-                UNREACHABLE if _7392 != _7392 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3232 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[8576 + k] = (
-                UNREACHABLE if _7392 != _7392 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3264 + k] = (
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[8608 + k] = (
-                UNREACHABLE if _7936 != _7936 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3296 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[8640 + k] = (
-                UNREACHABLE if _7936 != _7936 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3328 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[8672 + k] = (
-                UNREACHABLE if _7936 != _7936 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3360 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[8704 + k] = (
-                UNREACHABLE if _7936 != _7936 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3392 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt else work[512 + k]
         for k in range(count):

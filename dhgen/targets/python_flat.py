@@ -165,7 +165,8 @@ class _Tiling:
     def _loops(self, number: int, stage: Stage) -> list[Loop]:
         """The arithmetic of a stage, and the loops of its functions."""
         lines = []
-        for name in sorted(self._needed[number] & self._known.keys(), key=self._order):
+        needed = self._needed[number]
+        for name in (each for each in self._known if each in needed):  # in the order of their birth
             if self._known[name] < number:
                 truth = " != 0.0" if name in self._truths else ""
                 lines.append(f"{LOOP}{name} = work[{self._place(name)} + k]{truth}")
@@ -195,9 +196,6 @@ class _Tiling:
         arguments = ["work[k]", *(f"work[k + {taken[0] - places[0]}]" for taken in others)]
         value = f"{self._language.function(operator)}({', '.join(arguments)})"
         return Loop(places[0], places[-1] + TILE, (f"{LOOP}work[k] = {value}",))
-
-    def _order(self, name: str) -> tuple[int, str]:
-        return self._place(name), name
 
     def _values(self, outputs: tuple[Expression, ...]) -> tuple[list[int], list[str]]:
         """Where the joints' values begin, equal ones at one place, and what takes them there."""
