@@ -97,7 +97,7 @@ def _survey_parser() -> argparse.ArgumentParser:
         prog="dhgen survey",
         description="How complete the solvers of many arms are: every solution on random poses "
         "against a search that shares no code with them, and an answer on every singular pose. "
-        "Exit code 1 when an arm falls short or is not solved.",
+        "Exit code 1 when an arm falls short or is not solved, 2 when a file has mistakes.",
     )
     parser.add_argument(
         "paths",
@@ -224,4 +224,6 @@ def _survey(options: argparse.Namespace) -> int:
 
     lines = survey(options.paths, options.poses, _tell)
     print(survey_text(lines), end="")
+    if any(line.mistaken for line in lines):
+        return 2
     return 0 if all(line.complete for line in lines) else 1

@@ -14,10 +14,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind, TaskKind
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
@@ -81,16 +84,49 @@ def task_jacobian(arm: NumericArm, q: Array) -> Array:
             return full[["xyz".index(name) for name in chain.task.coordinates]]
 
 
-def coincident_axes(chain: Chain) -> list[str]:
-    """Revolute neighbours whose axes are one line."""
+def crowded_axes(chain: Chain) -> list[str]:
+    """Axes of neighbours that leave a joint too many: one line, or four parallel or concurrent.
+
+    Three joints already do whatever turns about parallel axes do, or about one point.
+    """
     directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
-    revolute = [j.number for j in chain.joints if j.kind is JointKind.REVOLUTE]
-    lines = []
-    for first, second in pairwise(revolute):
-        z, other = directions[first - 1], directions[second - 1]
-        between = points[second - 1] - points[first - 1]
-        turned = np.linalg.norm(np.cross(z, other))
-        aside = np.linalg.norm(np.cross(z, between))
-        if second == first + 1 and turned < SAME_LINE and aside < SAME_LINE * chain.size:
-            lines.append(f"axes {first} and {second} are the same line")
-    return lines
+    turning = [
+        j.number
+        for j in chain.joints
+        if j.kind is JointKind.REVOLUTE and j.number not in chain.free
+    ]
+    parallel, same = [], []
+    for pair in pairwise(turning):
+        first, second = (number - 1 for number in pair)
+        z, between = directions[first], points[second] - points[first]
+        if second == first + 1 and np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
+            parallel.append(pair)
+            if np.linalg.norm(np.cross(z, between)) < SAME_LINE * chain.size:
+                same.append(pair)
+    meeting = [t.joints for t in axis_triples(chain) if t.miss < EXACT * chain.size]
+    lines = _runs(same)
+    return [
+        *(f"axes {_listed(run)} are the same line" for run in lines),
+        *(
+            f"axes {_listed(run)} are parallel"
+            for run in _runs(parallel)
+            if len(run) > 3 and run not in lines
+        ),
+        *(f"axes {_listed(run)} meet in one point" for run in _runs(meeting) if len(run) > 3),
+    ]
+
+
+def _runs(groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
+    """Groups that share all but their ends, joined."""
+    runs: list[tuple[int, ...]] = []
+    for group in groups:
+        if runs and runs[-1][1 - len(group) :] == group[:-1]:
+            runs[-1] = (*runs[-1], group[-1])
+        else:
+            runs.append(group)
+    return runs
+
+
+def _listed(run: tuple[int, ...]) -> str:
+    *first, last = map(str, run)
+    return f"{', '.join(first)} and {last}"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.paul.choices import choices_text
-from dhgen.paul.mobility import coincident_axes
+from dhgen.paul.mobility import crowded_axes
 from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
@@ -49,12 +49,11 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     """Why an arm with more joints than its task fixes is not solved, and what can be done."""
     names = ", ".join(map(str, spare.joints))
     given = "one of them" if spare.count == 1 else f"{spare.count} of them"
+    moved = f"joints {names} can be moved against each other without moving what the task names"
+    first, *others = [*crowded_axes(chain), moved]
     lines = [
-        (
-            f"the arm has infinitely many solutions for every pose: joints {names} can be moved "
-            "against each other without moving what the task names"
-        ),
-        *coincident_axes(chain),
+        f"the arm has infinitely many solutions for every pose: {first}",
+        *others,
         f"name {given} under `free` to solve for the others with its value given",
         *choices_text(choices),
         "--numerical would give the solution near to a seed, by damped least squares",

@@ -58,6 +58,7 @@ class Line:
         structure: Of the geometry.
         answers: Of the solver; None without one.
         reason: Why there is none.
+        mistaken: Whether that is a mistake in the file.
     """
 
     name: str
@@ -65,6 +66,7 @@ class Line:
     structure: str
     answers: Answers | None
     reason: str = ""
+    mistaken: bool = False
 
     @property
     def complete(self) -> bool:

@@ -6,12 +6,13 @@ import os
 import tempfile
 import time
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import Compilation, compile_robot
-from dhgen.errors import DhgenError
+from dhgen.errors import DhgenError, RobotFileError
 from dhgen.general.kernel import GeneralKernel
 from dhgen.kinematics.build import build_chain
 from dhgen.robot.load import load
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from dhgen.paul.derivation import Derivation
+    from dhgen.survey.sources import Source
 
 SINGULAR_SHARE = 4  # random poses for one of each singular kind
 
@@ -43,32 +45,43 @@ def survey(
         tell: Is told of every arm that is done.
 
     Raises:
-        RobotFileError: A list can't be read. Faults of single robot files stand in their lines.
+        RobotFileError: A path leads nowhere, or a list can't be read. Faults of single robot
+            files stand in their lines.
     """
-    lines = []
+    lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
         files = robot_files(given, Path(folder))
         with ProcessPoolExecutor(max(1, min(len(files), os.cpu_count() or 1))) as pool:
             for line in pool.map(partial(survey_arm, poses=poses), files):
-                lines.append(line)
+                lines.append(_alone(line, lines))
                 tell(f"{len(lines)} of {len(files)}: {line.name}")
     return tuple(lines)
 
 
-def survey_arm(path: Path, poses: int) -> Line:
+def survey_arm(source: Source, poses: int) -> Line:
     """One arm's line; the same at every run but for the CPU time."""
-    name, joints, structure = path.stem, "", ""
+    name, joints, structure = source.name, "", ""
     try:
-        robot = load(path)
+        robot = load(source.path)
         name = robot.name
         chain = build_chain(robot)
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
-        compilation = compile_robot(path)
+        compilation = compile_robot(source.path)
         answers = _answers(compilation, poses, time.process_time() - start)
+    except RobotFileError as error:
+        return Line(name, joints, structure, None, source.tell(error), mistaken=True)
     except DhgenError as error:
         return Line(name, joints, structure, None, str(error).splitlines()[0])
     return Line(name, joints, structure, answers)
+
+
+def _alone(line: Line, others: Sequence[Line]) -> Line:
+    """A name says which arm is meant: the second of that name has no line of its own."""
+    if all(line.name != other.name for other in others):
+        return line
+    reason = f"another arm above has the same name, '{line.name}'"
+    return replace(line, answers=None, reason=reason, mistaken=True)
 
 
 def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:

@@ -44,13 +44,15 @@ def totals_text(lines: Sequence[Line]) -> str:
     expected, found = sum(a.expected for a in solved), sum(a.found for a in solved)
     poses, spurious = sum(a.poses for a in solved), sum(a.spurious for a in solved)
     answered, singular = sum(a.answered for a in solved), sum(a.singular for a in solved)
-    general, others = (_residual(_worst(solved, general=general)) for general in (True, False))
+    methods = sorted({a.method for a in solved})
+    worst = (f"{_residual(_worst(solved, method))} ({method})" for method in methods)
     text = [
         f"{len(lines)} arms, {len(solved)} solved.",
         f"{found} of {expected} solutions found on {poses} random poses, {spurious} spurious.",
         f"{answered} of {singular} singular poses answered.",
-        f"Residual below {general} of the arm's size for general 6R, {others} for the rest.",
     ]
+    if solved:
+        text.append(f"Residuals below {', '.join(worst)} of the arm's size.")
     if any(a.unmet for a in solved):
         text.append(f"{sum(a.unmet for a in solved)} further solutions the search did not meet.")
     short = [line.name for line in lines if not line.complete]
@@ -59,8 +61,8 @@ def totals_text(lines: Sequence[Line]) -> str:
     return "\n".join(text)
 
 
-def _worst(solved: Sequence[Answers], *, general: bool) -> float:
-    return max((a.residual for a in solved if (a.degree == 16) is general), default=0.0)
+def _worst(solved: Sequence[Answers], method: str) -> float:
+    return max(a.residual for a in solved if a.method == method)
 
 
 def _cells(line: Line) -> tuple[str, ...]:

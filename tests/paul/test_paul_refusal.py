@@ -5,6 +5,7 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
+from dhgen.paul.mobility import crowded_axes
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import missed_structure, refusal
@@ -37,7 +38,36 @@ def stuck(*rows: str, **sections: str) -> list[str]:
 
 def test_too_many_joints_for_the_task_are_said_first() -> None:
     (first, *_) = refused(*["theta: q, a: 0.3"] * 3, task="[x, y]")
+    assert first.startswith("the arm has infinitely many solutions for every pose: joints 1, 2, 3")
     assert "joints 1, 2, 3 can be moved against each other" in first
+
+
+def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
+    first, second, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
+    assert first == (
+        "the arm has infinitely many solutions for every pose: axes 5 and 6 are the same line"
+    )
+    assert second.startswith("joints 5, 6 can be moved against each other")
+
+
+MEETING = ("theta: q, alpha: 80 deg", "theta: q, alpha: 20 deg", "theta: q, alpha: 95 deg")
+PARALLEL = ("theta: q, a: 0.3",) * 3
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        (["theta: q"] * 3, ["axes 1, 2 and 3 are the same line"]),
+        ([SKEW[0], *PARALLEL, *SKEW[:2]], ["axes 2, 3, 4 and 5 are parallel"]),
+        ([*SKEW[:2], *MEETING, "theta: q"], ["axes 3, 4, 5 and 6 meet in one point"]),
+        (PARALLEL, []),
+        ([*MEETING[:2], "theta: q, a: 0.1"], []),
+        ([*SKEW[:2], "d: q", "theta: q"], []),
+        (["theta: q", "theta: q", SKEW[0], "theta: q"], ["axes 1, 2 and 3 are the same line"]),
+    ],
+)
+def test_lines_and_points_that_axes_share(rows: list[str], said: list[str]) -> None:
+    assert crowded_axes(build_chain(table(*rows))) == said
 
 
 def test_the_nearest_equations_are_named_by_their_place() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -17,18 +19,20 @@ TABLES = Path(__file__).parents[1] / "robots" / "tables.json"
 
 
 def test_a_folder_is_its_robot_files(tmp_path: Path) -> None:
-    assert list(robot_files([ROBOTS], tmp_path)) == sorted(ROBOTS.glob("*.yaml"))
+    files = robot_files([ROBOTS], tmp_path)
+    assert [each.path for each in files] == sorted(ROBOTS.glob("*.yaml"))
+    assert [each.name for each in files] == [each.path.stem for each in files]
 
 
 def test_files_keep_their_order(tmp_path: Path) -> None:
     given = [ROBOTS / "scara.yaml", ROBOTS / "adept.yaml"]
-    assert list(robot_files(given, tmp_path)) == given
+    assert [each.path for each in robot_files(given, tmp_path)] == given
 
 
 def test_a_list_of_tables_becomes_robot_files(tmp_path: Path) -> None:
     files = robot_files([TABLES], tmp_path)
     assert len(files) == 62
-    robots = {each.name: each for each in map(load, files)}
+    robots = {each.name: load(each.path) for each in files}
     q = np.linspace(-1, 1, 6)
     for name in ("kawasaki_rs007n", "fanuc_lrmate200id"):  # a base and a tool
         np.testing.assert_allclose(forward(robots[name], q), forward(robot(name), q), atol=1e-12)
@@ -38,7 +42,14 @@ def test_a_list_of_tables_becomes_robot_files(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("{}", "a list of tables is meant"), ("[1]", "a list"), ("[", "can't be read")],
+    [
+        ("{}", "a list of tables is meant"),
+        ("[1]", "a list"),
+        ("[", "can't be read: Expecting value"),
+        ("[" * 100_000, "nested too deeply"),
+        ('[{"free": [1], "free": [2]}]', "the key 'free' stands twice"),
+        ("[]", "no robot files here"),
+    ],
 )
 def test_what_is_no_list(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "x.json").write_text(text)
@@ -46,6 +57,37 @@ def test_what_is_no_list(tmp_path: Path, text: str, said: str) -> None:
         robot_files([tmp_path / "x.json"], tmp_path)
 
 
-def test_an_empty_folder(tmp_path: Path) -> None:
-    with pytest.raises(RobotFileError, match="no robot files here"):
-        robot_files([tmp_path], tmp_path)
+def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
+    given = [tmp_path, tmp_path / "x.yaml", tmp_path / "x.json"]
+    with pytest.raises(RobotFileError) as refused:
+        robot_files(given, tmp_path)
+    assert str(refused.value).splitlines() == [
+        f"{tmp_path}: no robot files here",
+        f"{tmp_path}/x.yaml: there is no such file or folder",
+        f"{tmp_path}/x.json: the list can't be read: No such file or directory",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "value", "said"),
+    [
+        ("arm", "fre", [3], "table 2: unknown key 'fre'; did you mean 'free'.*: \"fre\":$"),
+        ("arm", "joints", [{"theta": "q", "d": "x"}], 'table 2: unknown name \'x\'; .*: "d": "x"$'),
+        ("../arm", "joints", [], "table 2: '../arm': the robot can't be called so"),
+        ("\x1b[31m", "joints", [], "table 2: .*can't be called so"),
+    ],
+)
+def test_a_mistake_in_a_table_has_its_place(
+    tmp_path: Path, name: str, key: str, value: object, said: str
+) -> None:
+    good = {"name": "good", "joints": [{"theta": "q", "d": 0, "a": 1, "alpha": 0}]}
+    (tmp_path / "x.json").write_text(json.dumps([good, {**good, "name": name, key: value}]))
+    first, second = robot_files([tmp_path / "x.json"], tmp_path)
+    assert load(first.path).name == first.name == "good"
+    assert second.name == (name if name == "arm" else "table 2")
+    with pytest.raises(RobotFileError) as refused:
+        load(second.path)
+    told = second.tell(refused.value)
+    assert told.startswith(f"{tmp_path}/x.json: table 2: ")
+    assert re.search(said, told)
+    assert told.isprintable()

@@ -53,7 +53,7 @@ xarm6: random: 1 of 8 missed, q = [0.5]
 3 arms, 2 solved.
 3199 of 3200 solutions found on 400 random poses, 0 spurious.
 900 of 900 singular poses answered.
-Residual below 1e-11 of the arm's size for general 6R, 1e-13 for the rest.
+Residuals below 1e-13 (closed form), 1e-11 (general 6R) of the arm's size.
 2 further solutions the search did not meet.
 Short of everything: xarm6, loose.
 """  # noqa: E501
