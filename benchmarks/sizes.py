@@ -1,14 +1,16 @@
 """What the generated files weigh, and what compiling them takes: CPU time of gcc and of numba.
 
-    python -m benchmarks.sizes [--arms NAME ...] [--write]
+    python -m benchmarks.sizes [--arms NAME ...] [--numba NAME ...] [--write]
 
 C is compiled with -O3 -march=native, the object is measured without symbols. numba starts from an
 empty cache; `ik_all` is the first call of one pose, `ik_batch` the first call of a batch after it.
+That takes seconds and is done for the arms of `python -m benchmarks`, or those named.
 `--write` puts the table into docs/benchmarks.md.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import resource
 import subprocess
@@ -16,8 +18,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
+from benchmarks.arms import CASES
 from benchmarks.native import NATIVE
-from benchmarks.options import parser, show
+from benchmarks.options import parser, robot_names, show
 from benchmarks.report import table
 from benchmarks.solvers import GENERATED
 from dhgen.verify.native import c_compiler
@@ -41,31 +46,37 @@ HEAD = ("arm", "C source", "gcc", "object", "Python source", "ik_all", "ik_batch
 
 def main(arguments: list[str]) -> None:
     """Prints one line an arm, and the largest of everything."""
-    options = parser("benchmarks.sizes", __doc__).parse_args(arguments)
+    allowed = parser("benchmarks.sizes", __doc__)
+    usual = [case.name for case in CASES]
+    allowed.add_argument("--numba", nargs="*", choices=robot_names(), default=usual, metavar="NAME")
+    options = allowed.parse_args(arguments)
     measured = {}
     for name in options.arms:
-        measured[name] = measure(name)
+        measured[name] = measure(name, with_numba=name in options.numba)
         print(name, *_texts(measured[name]), flush=True)
-    largest = tuple(map(max, zip(*measured.values(), strict=True)))
+    largest = tuple(np.nanmax(list(measured.values()), axis=0))
     rows = [(name, *_texts(each)) for name, each in measured.items()]
     show(table(HEAD, [*rows, ("largest", *_texts(largest))]), "sizes", write=options.write)
 
 
-def measure(name: str) -> tuple[float, ...]:
-    """Bytes of C, seconds of gcc, bytes of machine code, bytes of Python, seconds of numba (2)."""
+def measure(name: str, *, with_numba: bool) -> tuple[float, ...]:
+    """Bytes of C, seconds of gcc, bytes of machine code, bytes of Python, seconds of numba (2).
+
+    NaN stands for what is not measured.
+    """
     with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
         return (
             float((GENERATED / f"{name}.c").stat().st_size),
             *_compiled(name, Path(folder)),
             float((GENERATED / f"{name}.py").stat().st_size),
-            *_first_calls(name, folder),
+            *(_first_calls(name, folder) if with_numba else (math.nan, math.nan)),
         )
 
 
 def _compiled(name: str, folder: Path) -> tuple[float, float]:
     compiler = c_compiler()
     if compiler is None:
-        return float("nan"), float("nan")
+        return math.nan, math.nan
     made = folder / f"{name}.o"
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     command = [compiler, *NATIVE, "-s", "-c", str(GENERATED / f"{name}.c"), "-o", str(made)]
@@ -87,14 +98,10 @@ def _first_calls(name: str, folder: str) -> tuple[float, ...]:
 
 
 def _texts(values: tuple[float, ...]) -> tuple[str, ...]:
-    source, gcc, code, python, one, batch = values
-    return (
-        f"{source / 1e3:.1f} kB",
-        f"{gcc:.2f} s",
-        f"{code / 1e3:.1f} kB",
-        f"{python / 1e3:.1f} kB",
-        f"{one:.1f} s",
-        f"{batch:.1f} s",
+    units = (("kB", 1e3, 1), ("s", 1.0, 2), ("kB", 1e3, 1), ("kB", 1e3, 1), ("s", 1.0, 1))
+    return tuple(
+        "-" if math.isnan(value) else f"{value / size:.{digits}f} {unit}"
+        for value, (unit, size, digits) in zip(values, [*units, units[-1]], strict=True)
     )
 
 

@@ -10,6 +10,346 @@
 
 static const double turn = 6.283185307179586;
 
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size; between which values starts lie, and what is added
+ * from start to start. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double part[6] = {
+    0.3459010722933242, 0.3459010722933242, 0.3459010722933242, 0.3459010722933242,
+    0.3459010722933242, 0.3459010722933242,
+};
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double no_lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct descent {
+    const double *T;
+    double q[6], seed[6]; /* all joint values; the seed in units */
+    double e[6], length; /* the miss [arm sizes, rad], and its length */
+    double A[6][6]; /* how u moves the tool */
+};
+
+/* The rotation vector of an axis times the sine, and the cosine. */
+static void turn_vector(const double axis[3], double cosine, double vector[3])
+{
+    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
+    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
+    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
+    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
+    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
+}
+
+/* By how much u misses the pose, and the analytic Jacobian of that. */
+static void look(struct descent *d, const double u[6])
+{
+    double P[16], J[36], square = 0.0;
+    for (int j = 0; j < 6; j++)
+        d->q[solved[j]] = unit[j] * u[j];
+    general_6r_fk(d->q, P);
+    general_6r_jacobian(d->q, J);
+    d->e[0] = (d->T[3] - P[3]) / 2.8909999999999996;
+    for (int j = 0; j < 6; j++)
+        d->A[0][j] = part[j] * J[0 + solved[j]];
+    d->e[1] = (d->T[7] - P[7]) / 2.8909999999999996;
+    for (int j = 0; j < 6; j++)
+        d->A[1][j] = part[j] * J[6 + solved[j]];
+    d->e[2] = (d->T[11] - P[11]) / 2.8909999999999996;
+    for (int j = 0; j < 6; j++)
+        d->A[2][j] = part[j] * J[12 + solved[j]];
+    double R[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
+                + d->T[4 * i + 2] * P[4 * j + 2];
+    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
+        0.5 * (R[1][0] - R[0][1]) };
+    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 6; j++)
+            d->A[3 + i][j] = J[6 * (3 + i) + solved[j]];
+    for (int i = 0; i < 6; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. */
+static void damped_step(
+    const struct descent *d, const double e[6], double length, double step[6])
+{
+    double L[6][6], y[6];
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    for (int i = 0; i < 6; i++) {
+        y[i] = e[i];
+        for (int j = 0; j <= i; j++) {
+            double sum = i == j ? damping : 0.0;
+            for (int k = 0; k < 6; k++)
+                sum += d->A[i][k] * d->A[j][k];
+            for (int k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        }
+        for (int k = 0; k < i; k++)
+            y[i] -= L[i][k] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int i = 6 - 1; i >= 0; i--) {
+        for (int k = i + 1; k < 6; k++)
+            y[i] -= L[k][i] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int j = 0; j < 6; j++) {
+        step[j] = 0.0;
+        for (int i = 0; i < 6; i++)
+            step[j] += d->A[i][j] * y[i];
+    }
+}
+
+/* Makes a step no longer than it may be. */
+static void shorten(double step[6])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 6; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 6; j++)
+        step[j] *= 2.0 / longest;
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+static double descend(struct descent *d, double u[6])
+{
+    double least = HUGE_VAL, best[6], step[6];
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, step);
+        shorten(step);
+        for (int j = 0; j < 6; j++)
+            u[j] += step[j];
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
+static void limited_step(
+    struct descent *d, const double u[6], double pull, const double low[6],
+    const double high[6], double step[6])
+{
+    double e[6], wish[6], fixed[6];
+    int locked[6], beyond = 1;
+    for (int j = 0; j < 6; j++) {
+        wish[j] = pull * (d->seed[j] - u[j]);
+        locked[j] = 0;
+    }
+    while (beyond) {
+        beyond = 0;
+        for (int i = 0; i < 6; i++) {
+            e[i] = d->e[i];
+            for (int j = 0; j < 6; j++)
+                e[i] -= d->A[i][j] * wish[j];
+        }
+        damped_step(d, e, d->length, step);
+        for (int j = 0; j < 6; j++)
+            step[j] += wish[j];
+        shorten(step);
+        for (int j = 0; j < 6; j++) {
+            const double end = u[j] + step[j];
+            if (locked[j]) {
+                step[j] = fixed[j];
+            } else if (end < low[j] || end > high[j]) {
+                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
+                beyond = locked[j] = 1;
+                wish[j] = 0.0;
+                for (int i = 0; i < 6; i++) {
+                    d->e[i] -= d->A[i][j] * fixed[j];
+                    d->A[i][j] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
+static double pulled(
+    struct descent *d, double u[6], const double low[6],
+    const double high[6])
+{
+    double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    for (int k = 1; k <= 60 + 40; k++) {
+        look(d, u);
+        if (pull == 0.0) {
+            if (d->length >= 0.5 * least && least <= 1e-10)
+                break;
+            if (d->length < least) {
+                least = d->length;
+                copy(u, best);
+            }
+        }
+        limited_step(d, u, pull, low, high, step);
+        double longest = 0.0;
+        for (int j = 0; j < 6; j++) {
+            longest = fmax(longest, fabs(step[j]));
+            u[j] += step[j];
+        }
+        if (k >= 60 || longest < 1e-09)
+            pull = 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
+}
+
+static double distance_between(const double a[6], const double b[6])
+{
+    double most = 0.0;
+    for (int j = 0; j < 6; j++)
+        most = fmax(most, fabs(a[j] - b[j]));
+    return most;
+}
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
+ * singular solution that stands alone, -1 if it is a regular one. */
+static int continuum(struct descent *d, const double u[6])
+{
+    double along[6], moved[6], square = 0.0;
+    look(d, u);
+    for (int i = 0; i < 6; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < 6; j++)
+            moved[i] += d->A[i][j] * stride[j];
+    }
+    damped_step(d, moved, 0.0, along);
+    for (int j = 0; j < 6; j++) {
+        along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
+        square += along[j] * along[j];
+    }
+    if (sqrt(square) <= 0.0001)
+        return -1;
+    for (int side = -1; side <= 1; side += 2) {
+        double end[6];
+        for (int j = 0; j < 6; j++)
+            end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
+        if (descend(d, end) > 1e-10 || distance_between(end, u) <= 0.002)
+            return 0;
+    }
+    return 1;
+}
+
+/* The solutions kept so far. */
+struct kept {
+    double u[16][6];
+    int count, singular[16], chosen[16];
+};
+
+static int is_known(const struct kept *kept, const double u[6], int singular)
+{
+    static const double none[6] = { 0.0 };
+    for (int k = 0; k < kept->count; k++) {
+        double gap[6];
+        for (int j = 0; j < 6; j++)
+            gap[j] = u[j] - kept->u[k][j];
+        wrap_angles(gap);
+        const int loose = singular && kept->singular[k];
+        if (distance_between(gap, none) < (loose ? 0.001 : 1e-06))
+            return 1;
+    }
+    return 0;
+}
+
+/* A solution joins those found before, unless it is one of them. */
+static void keep(struct descent *d, struct kept *kept, double u[6])
+{
+    if (kept->count == 16 || is_known(kept, u, 0))
+        return;
+    const int kind = continuum(d, u);
+    if (kind == 1) {
+        double end[6];
+        copy(u, end);
+        if (pulled(d, end, no_lowest, no_highest) <= 1e-10)
+            copy(end, u);
+    }
+    wrap_angles(u);
+    if (is_known(kept, u, kind >= 0))
+        return;
+    kept->singular[kept->count] = kind >= 0;
+    kept->chosen[kept->count] = kind == 1;
+    copy(u, kept->u[kept->count++]);
+}
+
+/* Whether a row of joint values stands before another. */
+static int stands_before(const double a[6], const double b[6])
+{
+    for (int i = 0; i < 6; i++)
+        if (fabs(a[i] - b[i]) > 1e-09)
+            return a[i] < b[i];
+    return 0;
+}
+
+/* Rows by the first joint, then by the second and so on. */
+static void sorted_rows(
+    struct descent *d, const struct kept *kept, double q[16][6], int found[16],
+    int chosen[16])
+{
+    for (int row = 0; row < 16; row++)
+        found[row] = chosen[row] = 0;
+    for (int k = 0; k < kept->count; k++) {
+        int row = k;
+        for (int j = 0; j < 6; j++)
+            d->q[solved[j]] = unit[j] * kept->u[k][j];
+        for (; row > 0 && stands_before(d->q, q[row - 1]); row--) {
+            chosen[row] = chosen[row - 1];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = q[row - 1][i];
+        }
+        found[k] = 1;
+        chosen[row] = kept->chosen[k];
+        for (int i = 0; i < 6; i++)
+            q[row][i] = d->q[i];
+    }
+}
+
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
  * parallel
  * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
@@ -3807,6 +4147,7 @@ static inline general_6r_lane general_6r_polish(const double P[12], general_6r_l
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
+    int doubles; /* roots that met */
     double q[16][6], residual[16];
 } general_6r_found;
 
@@ -3996,6 +4337,7 @@ static int general_6r_attempt(const general_6r_formulation *form, const double P
     for (int i = 0; i < roots.doubles; i++) {
         general_6r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    found->doubles += roots.doubles;
     return general_6r_settle(form, P, &all, roots.simple, roots.doubles, found) && roots.complete;
 }
 
@@ -4049,6 +4391,7 @@ static int general_6r_from_nearby(const double P[12], general_6r_found *found)
         general_6r_compose(P, general_6r_nudge[n], nearby);
         other.count = 0;
         other.singular = 0;
+        other.doubles = 0;
         complete = general_6r_try(nearby, &other);
         met = general_6r_follow_back(P, other.q, other.count, found, &lost);
         if (complete && !lost && met) {
@@ -4118,8 +4461,9 @@ static int general_6r_before(const double a[6], const double b[6])
  *
  * T: row by row. q: the angles, in (-pi, pi], rows in the order of q1, rows whose
  * q1 agree to 1e-09 rad in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; negative when it is not certain that these are
- * all: then -1 - count. */
+ * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
+ * are
+ * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
 static int general_6r_general(const double T[16], double q[16][6], double residual[16])
 {
     general_6r_found found;
@@ -4132,6 +4476,7 @@ static int general_6r_general(const double T[16], double q[16][6], double residu
     }
     found.count = 0;
     found.singular = 0;
+    found.doubles = 0;
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
         return 0;
     }
@@ -4153,20 +4498,41 @@ static int general_6r_general(const double T[16], double q[16][6], double residu
         }
         residual[i] = found.residual[order[i]];
     }
-    return complete ? found.count : -1 - found.count;
+    return complete && !found.singular && !found.doubles ? found.count : -1 - found.count;
 }
 
-/* All solutions. */
+/* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
+ * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
     const double T[16], const double seed[6], double q[16][6], int found[16], int chosen[16])
 {
-    double residual[16];
-    const int count = general_6r_general(T, q, residual);
-    (void)seed;
-    for (int k = 0; k < 16; k++) {
-        found[k] = k < (count < 0 ? -1 - count : count);
-        chosen[k] = 0;
+    static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+    static const double zero[6] = { 2.137, -2.341, -1.611, 0.482, 0.126, 1.904 };
+    struct descent d = { .T = T };
+    struct kept kept = { .count = 0 };
+    double angles[16][6], residual[16], u[6];
+    const int count = general_6r_general(T, angles, residual);
+    for (int j = 0; j < 6; j++)
+        u[j] = d.seed[j] = seed[j];
+    if (count < 0 && descend(&d, u) <= 1e-10)
+        keep(&d, &kept, u);
+    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+        for (int j = 0; j < 6; j++)
+            u[j] = facing[j] * (angles[k][j] - zero[j]);
+        if (count < 0) {
+            keep(&d, &kept, u);
+            continue;
+        }
+        wrap_angles(u);
+        kept.singular[k] = kept.chosen[k] = 0;
+        copy(u, kept.u[kept.count++]);
     }
+    for (int k = 1; count < 0 && k < 12; k++) {
+        start_of(&d, k, u);
+        if (descend(&d, u) <= 1e-10)
+            keep(&d, &kept, u);
+    }
+    sorted_rows(&d, &kept, q, found, chosen);
 }
 
 static const double d1 = -0.035; /* joint offset 1 [m] */
@@ -4193,12 +4559,12 @@ static const double d6 = -0.477; /* joint offset 6 [m] */
 static const double a6 = 0.175; /* link length 6 [m] */
 static const double ca6 = 0.13835111738308337; /* cosine of twist 6 */
 static const double sa6 = 0.9903832431533018; /* sine of twist 6 */
-static const double offset1 = 2.137; /* offset of joint 1 */
-static const double offset2 = -2.341; /* offset of joint 2 */
-static const double offset3 = -1.611; /* offset of joint 3 */
-static const double offset4 = 0.482; /* offset of joint 4 */
-static const double offset5 = 0.126; /* offset of joint 5 */
-static const double offset6 = 1.904; /* offset of joint 6 */
+static const double offset1 = 2.137; /* offset of joint 1 [rad] */
+static const double offset2 = -2.341; /* offset of joint 2 [rad] */
+static const double offset3 = -1.611; /* offset of joint 3 [rad] */
+static const double offset4 = 0.482; /* offset of joint 4 [rad] */
+static const double offset5 = 0.126; /* offset of joint 5 [rad] */
+static const double offset6 = 1.904; /* offset of joint 6 [rad] */
 static const double f1 = -0.05553218372140723; /* d2 * ca1 [m] */
 static const double f2 = 0.04495762109090063; /* sa2 * ca1 */
 static const double f3 = 0.2113498189597218; /* ca2 * ca1 */
@@ -4215,12 +4581,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void general_6r_fk(const double q[6], double T[16])
 {
@@ -4498,24 +4858,16 @@ static void solve(
     all_joints(T, seed, solution_roots, solution_found, solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
-        const double x1 = solution_roots[i1][0];
-        const double x2 = solution_roots[i1][1];
-        const double x3 = solution_roots[i1][2];
-        const double x4 = solution_roots[i1][3];
-        const double x5 = solution_roots[i1][4];
-        const double x6 = solution_roots[i1][5];
+        const double q1 = solution_roots[i1][0];
+        const double q2 = solution_roots[i1][1];
+        const double q3 = solution_roots[i1][2];
+        const double q4 = solution_roots[i1][3];
+        const double q5 = solution_roots[i1][4];
+        const double q6 = solution_roots[i1][5];
         const int found = solution_found[i1];
         const int chosen = solution_chosen[i1];
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
-
-        /* joint values */
-        const double q1 = wrap(x1 - offset1);
-        const double q2 = wrap(x2 - offset2);
-        const double q3 = wrap(x3 - offset3);
-        const double q4 = wrap(x4 - offset4);
-        const double q5 = wrap(x5 - offset5);
-        const double q6 = wrap(x6 - offset6);
         const int row = i1;
         q[row][0] = q1;
         q[row][1] = q2;

@@ -310,6 +310,8 @@ def _nearest_solution(T, q, near, low, high, best):
     return least < math.inf
 
 
+
+
 @_jit
 def _all_joints(pose, seed):
     """The solutions that are found, which rows hold one, and where a joint was indeterminate."""

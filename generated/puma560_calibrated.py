@@ -89,12 +89,12 @@ d6 = -0.0012011655652  # joint offset 6 [m]
 a6 = -9.3840846e-05  # link length 6 [m]
 ca6 = 0.9999988042061223  # cosine of twist 6
 sa6 = 0.0015464754525777457  # sine of twist 6
-offset1 = 0.0004277699642  # offset of joint 1
-offset2 = 0.0006617156617  # offset of joint 2
-offset3 = -0.0018179220006  # offset of joint 3
-offset4 = 8.90468712e-05  # offset of joint 4
-offset5 = 0.0009695294734  # offset of joint 5
-offset6 = -0.0022050175347  # offset of joint 6
+offset1 = 0.0004277699642  # offset of joint 1 [rad]
+offset2 = 0.0006617156617  # offset of joint 2 [rad]
+offset3 = -0.0018179220006  # offset of joint 3 [rad]
+offset4 = 8.90468712e-05  # offset of joint 4 [rad]
+offset5 = 0.0009695294734  # offset of joint 5 [rad]
+offset6 = -0.0022050175347  # offset of joint 6 [rad]
 f1 = -2.3070697884642687e-07  # d2 * ca1 [m]
 f2 = 1.7152850204059354e-06  # sa2 * ca1
 f3 = 0.0016085433446793326  # ca2 * ca1
@@ -115,12 +115,6 @@ _BYTE = np.dtype(np.uint8)
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
-
-
-@_jit
-def _wrap(angle):
-    """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -394,6 +388,293 @@ def jacobian(q):
     J[5, 4] = J65
     J[5, 5] = J66
     return J
+
+
+# The joints that are solved for, and whether they turn; what a step of one means, in rad or
+# lengths, and the same over the arm's size; between which values starts lie, and what is added
+# from start to start. Below, u are these joints in units.
+_SOLVED = np.array([0, 1, 2, 3, 4, 5])
+_TURNING = np.array([True, True, True, True, True, True])
+_UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_PART = np.array([
+    0.5843514598369508, 0.5843514598369508, 0.5843514598369508, 0.5843514598369508,
+    0.5843514598369508, 0.5843514598369508,
+])
+_SPAN_LOW = np.array([
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+
+
+@_jit
+def _turn_vector(axis, cosine, vector):
+    """The rotation vector of an axis times the sine, and the cosine."""
+    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    if sine < 1e-09 and cosine < 0.0:  # half a turn: any axis will do
+        vector[0] = 1.5079644737231006
+        vector[1] = 1.8849555921538759
+        vector[2] = 2.0106192982974678
+        return
+    scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
+    for i in range(3):
+        vector[i] = scale * axis[i]
+
+
+@_jit
+def _look(T, q, u, e, A):
+    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
+    for j in range(6):
+        q[_SOLVED[j]] = _UNIT[j] * u[j]
+    P, J = fk(q), jacobian(q)
+    for j in range(6):
+        column = _SOLVED[j]
+        A[0, j] = _PART[j] * J[0, column]
+        A[1, j] = _PART[j] * J[1, column]
+        A[2, j] = _PART[j] * J[2, column]
+        for i in range(3):
+            A[3 + i, j] = J[3 + i, column]
+    e[0] = (T[0, 3] - P[0, 3]) / 1.7112988821471
+    e[1] = (T[1, 3] - P[1, 3]) / 1.7112988821471
+    e[2] = (T[2, 3] - P[2, 3]) / 1.7112988821471
+    R = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                R[i, j] += T[i, k] * P[j, k]
+    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
+    _turn_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), e[3:])
+    square = 0.0
+    for i in range(6):
+        square += e[i] * e[i]
+    return math.sqrt(square)
+
+
+@_jit
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e."""
+    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    L, y = np.zeros((6, 6)), np.empty(6)
+    for i in range(6):
+        y[i] = e[i]
+        for j in range(i + 1):
+            total = damping if i == j else 0.0
+            for k in range(6):
+                total += A[i, k] * A[j, k]
+            for k in range(j):
+                total -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
+        for k in range(i):
+            y[i] -= L[i, k] * y[k]
+        y[i] /= L[i, i]
+    for i in range(5, -1, -1):
+        for k in range(i + 1, 6):
+            y[i] -= L[k, i] * y[k]
+        y[i] /= L[i, i]
+    for j in range(6):
+        step[j] = 0.0
+        for i in range(6):
+            step[j] += A[i, j] * y[i]
+
+
+@_jit
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
+    for j in range(6):
+        longest = max(longest, abs(step[j]))
+    for j in range(6):
+        step[j] *= 2.0 / longest
+
+
+@_jit
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose."""
+    e, A = np.empty(6), np.empty((6, 6))
+    least, best, step = math.inf, u.copy(), np.empty(6)
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        stalled = length >= 0.5 * least and least <= 1e-10
+        if length < least:
+            least = length
+            best[:] = u
+        if stalled:
+            break
+        _damped_step(A, e, length, step)
+        _shorten(step)
+        for j in range(6):
+            u[j] += step[j]
+    u[:] = best
+    return least
+
+
+@_jit
+def _limited_step(A, e, length, wish, u, low, high, step):
+    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
+    fixed, locked = np.zeros(6), np.zeros(6, np.uint8)
+    rest = np.empty(6)
+    beyond = True
+    while beyond:
+        beyond = False
+        for i in range(6):
+            rest[i] = e[i]
+            for j in range(6):
+                rest[i] -= A[i, j] * wish[j]
+        _damped_step(A, rest, length, step)
+        for j in range(6):
+            step[j] += wish[j]
+        _shorten(step)
+        for j in range(6):
+            end = u[j] + step[j]
+            if locked[j]:
+                step[j] = fixed[j]
+            elif end < low[j] or end > high[j]:
+                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
+                beyond, locked[j], wish[j] = True, 1, 0.0
+                for i in range(6):
+                    e[i] -= A[i, j] * fixed[j]
+                    A[i, j] = 0.0
+
+
+@_jit
+def _pulled(T, q, u, near, low, high):
+    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
+    e, A = np.empty(6), np.empty((6, 6))
+    least, best, step, pull = math.inf, u.copy(), np.empty(6), 0.5
+    for k in range(1, 60 + 40 + 1):
+        length = _look(T, q, u, e, A)
+        if pull == 0.0:
+            if length >= 0.5 * least and least <= 1e-10:
+                break
+            if length < least:
+                least = length
+                best[:] = u
+        _limited_step(A, e, length, pull * (near - u), u, low, high, step)
+        longest = 0.0
+        for j in range(6):
+            longest = max(longest, abs(step[j]))
+            u[j] += step[j]
+        if k >= 60 or longest < 1e-09:
+            pull = 0.0
+    u[:] = best
+    return least
+
+
+@_jit
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(6):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_jit
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_jit
+def _continuum(T, q, u):
+    """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
+
+    0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    """
+    e, A = np.empty(6), np.empty((6, 6))
+    along, end = np.empty(6), np.empty(6)
+    _look(T, q, u, e, A)
+    for i in range(6):
+        e[i] = 0.0
+        for j in range(6):
+            e[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, e, 0.0, along)
+    square = 0.0
+    for j in range(6):
+        along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
+        square += along[j] * along[j]
+    if math.sqrt(square) <= 0.0001:
+        return -1
+    for side in (-1.0, 1.0):
+        gap = 0.0
+        for j in range(6):
+            end[j] = u[j] - side * 0.05 * along[j] / math.sqrt(square)
+        miss = _descend(T, q, end)
+        for j in range(6):
+            gap = max(gap, abs(end[j] - u[j]))
+        if miss > 1e-10 or gap <= 0.002:
+            return 0
+    return 1
+
+
+@_jit
+def _is_known(kept, kinds, count, u, singular):
+    """Whether a solution is one of those found before."""
+    between = np.empty(6)
+    for k in range(count):
+        for j in range(6):
+            between[j] = u[j] - kept[k, j]
+        _wrap_angles(between)
+        gap = 0.0
+        for j in range(6):
+            gap = max(gap, abs(between[j]))
+        if gap < (0.001 if singular and kinds[k] >= 0 else 1e-06):
+            return True
+    return False
+
+
+@_jit
+def _keep(T, q, near, kept, kinds, count, u):
+    """A solution joins those found before, unless it is one of them; how many there are then."""
+    if count == 16 or _is_known(kept, kinds, count, u, False):
+        return count
+    kind = _continuum(T, q, u)
+    if kind == 1:
+        end = u.copy()
+        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-10:
+            u[:] = end
+    _wrap_angles(u)
+    if _is_known(kept, kinds, count, u, kind >= 0):
+        return count
+    kinds[count] = kind
+    kept[count] = u
+    return count + 1
+
+
+@_jit
+def _stands_before(a, b):
+    """Whether a row of joint values stands before another."""
+    for i in range(6):
+        if abs(a[i] - b[i]) > 1e-09:
+            return a[i] < b[i]
+    return False
+
+
+@_jit
+def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
+    """Rows by the first joint, then by the second and so on."""
+    for k in range(count):
+        row = k
+        for j in range(6):
+            joints[_SOLVED[j]] = _UNIT[j] * kept[k, j]
+        while row > 0 and _stands_before(joints, q[row - 1]):
+            q[row] = q[row - 1]
+            chosen[row] = chosen[row - 1]
+            row -= 1
+        q[row] = joints
+        chosen[row] = kinds[k] == 1
+        found[k] = True
+
+
 
 
 # The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or parallel
@@ -1259,7 +1540,7 @@ def _puma560_calibrated_offer(P, c, s, afar, doubtful, q, residual, singular, co
 
 
 @njit(error_model="numpy")
-def _puma560_calibrated_attempt(form, P, q, residual, singular, count):
+def _puma560_calibrated_attempt(form, P, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
 
     The certificate: every simple root leads to a solution, there is another one for each of them and
@@ -1275,6 +1556,7 @@ def _puma560_calibrated_attempt(form, P, q, residual, singular, count):
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _puma560_calibrated_find_roots(f, scale, rounding)
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
+    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1321,14 +1603,14 @@ def _puma560_calibrated_attempt(form, P, q, residual, singular, count):
 
 
 @njit(error_model="numpy")
-def _puma560_calibrated_try(P, q, residual, singular):
+def _puma560_calibrated_try(P, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
     for i in range(16):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for form in range(2):
         if not complete:
-            complete, count = _puma560_calibrated_attempt(form, P, q, residual, singular, count)
+            complete, count = _puma560_calibrated_attempt(form, P, q, residual, singular, doubles_met, count)
     return complete, count
 
 
@@ -1342,7 +1624,7 @@ def _puma560_calibrated_from_nearby(P, q, residual, singular, count):
     other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     for n in range(5):
         nearby = _puma560_calibrated_compose(P, _PUMA560_CALIBRATED_NUDGES[n])
-        complete, found = _puma560_calibrated_try(nearby, other, ignored, marks)
+        complete, found = _puma560_calibrated_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):
@@ -1384,7 +1666,8 @@ def puma560_calibrated_general(T, q, residual):
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; negative when it is not certain that these are all: then -1 - count.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate,
+        or because roots met or the arm is singular at a solution.
     """
     P = _puma560_calibrated_compose(_puma560_calibrated_compose(_PUMA560_CALIBRATED_LEFT, T.copy().reshape(16)), _PUMA560_CALIBRATED_RIGHT)
     for i in range(3):
@@ -1392,7 +1675,8 @@ def puma560_calibrated_general(T, q, residual):
     if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.0000000039999986:
         return 0
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    complete, count = _puma560_calibrated_try(P, found, missing, singular)
+    doubles_met = np.zeros(1, dtype=np.int64)
+    complete, count = _puma560_calibrated_try(P, found, missing, singular, doubles_met)
     if not complete:
         complete, count = _puma560_calibrated_from_nearby(P, found, missing, singular, count)
     if not complete:
@@ -1425,21 +1709,49 @@ def puma560_calibrated_general(T, q, residual):
         for k in range(6):
             q[i, k] = found[order[i], k]
         residual[i] = missing[order[i]]
-    return count if complete else -1 - count
+    regular = _puma560_calibrated_marked(singular) == 0 and doubles_met[0] == 0
+    return count if complete and regular else -1 - count
+
+
+_FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZERO = np.array([
+    0.0004277699642, 0.0006617156617, -0.0018179220006, 8.90468712e-05, 0.0009695294734,
+    -0.0022050175347,
+])
 
 
 @_jit
 def _all_joints(pose, seed):
-    """All solutions (16, 6), which rows hold one, and whether a joint was indeterminate there."""
+    """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
     T = np.zeros((4, 4))
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     T[3, 3] = 1.0
-    q, residual = np.empty((16, 6)), np.empty(16)
-    count = puma560_calibrated_general(T, q, residual)
+    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(6)
+    known = puma560_calibrated_general(T, angles, residual)
+    q = np.zeros((16, 6))
     found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)
-    found[: -1 - count if count < 0 else count] = True
+    kept, kinds, count = np.empty((16, 6)), np.full(16, -1), 0
+    if known < 0:
+        u = seed.copy()
+        if _descend(T, joints, u) <= 1e-10:
+            count = _keep(T, joints, seed, kept, kinds, count, u)
+    for k in range(-1 - known if known < 0 else known):
+        u = _FACING * (angles[k] - _ZERO)
+        if known < 0:
+            count = _keep(T, joints, seed, kept, kinds, count, u)
+        else:
+            _wrap_angles(u)
+            kept[count] = u
+            count += 1
+    if known < 0:
+        for k in range(1, 12):
+            u = np.empty(6)
+            _start_of(k, seed, u)
+            if _descend(T, joints, u) <= 1e-10:
+                count = _keep(T, joints, seed, kept, kinds, count, u)
+    _sorted_rows(kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 
 
@@ -1450,25 +1762,17 @@ def _solve(pose, seed, q, status):
     solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
 
     for i1 in range(16):  # root1 to root16
-        x1 = solution_roots[i1, 0]
-        x2 = solution_roots[i1, 1]
-        x3 = solution_roots[i1, 2]
-        x4 = solution_roots[i1, 3]
-        x5 = solution_roots[i1, 4]
-        x6 = solution_roots[i1, 5]
+        q1 = solution_roots[i1, 0]
+        q2 = solution_roots[i1, 1]
+        q3 = solution_roots[i1, 2]
+        q4 = solution_roots[i1, 3]
+        q5 = solution_roots[i1, 4]
+        q6 = solution_roots[i1, 5]
         found = solution_found[i1]
         chosen = solution_chosen[i1]
         # all joints: the general 6R loop
         if not found:
             continue  # out of reach
-
-        # joint values
-        q1 = _wrap(x1 - offset1)
-        q2 = _wrap(x2 - offset2)
-        q3 = _wrap(x3 - offset3)
-        q4 = _wrap(x4 - offset4)
-        q5 = _wrap(x5 - offset5)
-        q6 = _wrap(x6 - offset6)
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2

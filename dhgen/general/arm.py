@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.general.rigid import IDENTITY, multiply
 from dhgen.general.setup import setup
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind, TaskKind
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from dhgen.general.kernel import GeneralKernel
@@ -26,6 +27,12 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     if chain.dof != TURNS or not revolute or chain.free or chain.task.kind is not TaskKind.POSE:
         return None
     return setup(loop_constants(chain))
+
+
+def joint_values(angles: NDArray[np.float64], chain: Chain) -> NDArray[np.float64]:
+    """The joint values (k, 6) behind the angles of the algebra (k, 6)."""
+    signs = np.array([joint.sign for joint in chain.joints])
+    return np.asarray(signs * (angles - [joint.offset for joint in chain.joints]))
 
 
 def loop_constants(chain: Chain) -> list[Matrix]:

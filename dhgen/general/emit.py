@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import pi
+from textwrap import indent
 from typing import TYPE_CHECKING
 
 from dhgen.general import circle, polish, reference
@@ -10,7 +11,9 @@ from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, grid, harmonics
 from dhgen.general.loop import reach
 from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
+from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.rigid import Matrix
+    from dhgen.kinematics.chain import Chain
 
 PADDED = 168  # 162 rows, to a multiple of eight
 PADDED_RIGHT = 128  # 126
@@ -37,14 +41,37 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
     return render("python/general6r.py.jinja", p=name, P=name.upper(), t=values(kernel))
 
 
-def c_rows(name: str) -> str:
-    """The static function `all_joints` in C99, which calls `<name>_general`."""
-    return render("c/general6r_rows.c.jinja", p=name)
+def c_rows(chain: Chain, name: str) -> str:
+    """The static function `all_joints` in C99; it calls `<name>_general` and the descent."""
+    facing, zero = _behind(chain)
+    return render(
+        "c/general6r_rows.c.jinja",
+        p=name,
+        n=_descent(),
+        facing=indent(c_array("static const double facing[6]", facing), "    "),
+        zero=indent(c_array("static const double zero[6]", zero), "    "),
+    )
 
 
-def python_rows(name: str) -> str:
-    """The function `_all_joints` in Python, which calls `<name>_general`."""
-    return render("python/general6r_rows.py.jinja", p=name)
+def python_rows(chain: Chain, name: str) -> str:
+    """The function `_all_joints` in Python; it calls `<name>_general` and the descent."""
+    facing, zero = _behind(chain)
+    return render(
+        "python/general6r_rows.py.jinja",
+        p=name,
+        n=_descent(),
+        facing=python_array("_FACING = np.array", facing),
+        zero=python_array("_ZERO = np.array", zero),
+    )
+
+
+def _descent() -> dict[str, str]:
+    return {"residual": repr(reference.RESIDUAL), "starts": str(FEW_STARTS)}
+
+
+def _behind(chain: Chain) -> tuple[list[str], list[str]]:
+    """Signs and offsets of the joint values behind the angles of the algebra."""
+    return _numbers(float(j.sign) for j in chain.joints), _numbers(j.offset for j in chain.joints)
 
 
 def values(kernel: GeneralKernel) -> dict[str, object]:

@@ -58,16 +58,13 @@ class Solved:
         q: (k, 6), sorted by θ1, then θ2 ... [rad, in (−π, π]].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
+        singular: Whether roots met, or the arm is singular at a solution.
     """
 
     q: FloatArray
     residual: FloatArray
     complete: bool
-
-    @property
-    def chosen(self) -> NDArray[np.bool_]:
-        """Whether a joint was indeterminate, (k,)."""
-        return np.zeros(len(self.q), dtype=bool)
+    singular: bool = False
 
 
 def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:
@@ -96,6 +93,7 @@ class _Search:
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
         self.singular: set[int | None] = set()
+        self.doubles = 0
 
     @property
     def paired(self) -> bool:
@@ -143,7 +141,8 @@ class _Search:
     def result(self, *, complete: bool) -> Solved:
         order = sorted(self._merged(), key=lambda i: tuple(np.round(self.found[i], 9)))
         q = np.array([self.found[i] for i in order]).reshape(-1, 6)
-        return Solved(q, np.array([self.residuals[i] for i in order]), complete)
+        residuals = np.array([self.residuals[i] for i in order])
+        return Solved(q, residuals, complete, bool(self.singular or self.doubles))
 
 
 def _gap(a: FloatArray, b: FloatArray) -> float:
@@ -170,6 +169,7 @@ def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
     if f.noise > NOISE or f.scale == 0.0:
         return False
     found = roots(f)
+    search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = 0
     complete = found.complete
@@ -197,6 +197,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     if f.noise > NOISE or f.scale == 0.0:
         return False
     found = roots(f)
+    search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = len(found.simple)
     complete = found.complete

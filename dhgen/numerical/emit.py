@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 Numbers = dict[str, tuple[str, ...]]
 
 
-def c_source(kernel: NumericalKernel, name: str) -> str:
-    """The static function `all_joints` in C99, with what it needs."""
+def c_tools(kernel: NumericalKernel, name: str) -> str:
+    """The static functions in C99 that descend, follow a continuum, keep and sort solutions."""
     count = len(kernel.solved)
     arrays = {
         key: c_array(f"static const {_type(key)} {key}[{count}]", values)
@@ -35,13 +35,23 @@ def _type(key: str) -> str:
     return "int" if key in {"solved", "turning"} else "double"
 
 
-def python_source(kernel: NumericalKernel) -> str:
-    """The function `_all_joints` in Python, with what it needs."""
+def python_tools(kernel: NumericalKernel) -> str:
+    """The same functions in Python."""
     arrays = {
         key: python_array(f"_{key.upper()} = np.array", values)
         for key, values in _arrays(kernel, "math.inf", ("False", "True")).items()
     }
     return render("python/numerical.py.jinja", arrays=arrays, **_texts(kernel))
+
+
+def c_search(kernel: NumericalKernel) -> str:
+    """The static function `all_joints` in C99; it needs the tools."""
+    return render("c/numerical_search.c.jinja", **_texts(kernel))
+
+
+def python_search(kernel: NumericalKernel) -> str:
+    """The function `_all_joints` in Python; it needs the tools."""
+    return render("python/numerical_search.py.jinja", **_texts(kernel))
 
 
 def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> Numbers:

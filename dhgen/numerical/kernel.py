@@ -27,6 +27,7 @@ SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
 TOGETHER = 1e-3  # singular solutions, known less well, closer than this are one
 STARTS = 48  # in a round; the search ends with the first round that finds nothing new
 ROUNDS = 8
+FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
 REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
 PULL = 0.5

@@ -55,6 +55,21 @@ def solve(T: FloatArray, seed: FloatArray, free: FloatArray, kernel: NumericalKe
     return arm.nearest() if kernel.redundant else arm.all()
 
 
+def settle(
+    T: FloatArray, seed: FloatArray, rows: FloatArray, kernel: NumericalKernel, *, regular: bool
+) -> Found:
+    """Solutions that another algorithm found (k, n), sorted; singular ones follow the seed.
+
+    Args:
+        T: Pose (4, 4).
+        seed: Joint values (n,).
+        rows: The solutions.
+        kernel: The arm.
+        regular: Whether none of them is singular and all of them are known.
+    """
+    return _Arm(kernel, T, seed, np.empty(0)).settle(rows, regular=regular)
+
+
 @dataclass(frozen=True, slots=True)
 class _Kept:
     """A solution in units, whether the arm is singular there, and whether it was pulled."""
@@ -108,6 +123,23 @@ class _Arm:
                 self._keep(row, kept)
             if len(kept) in {known, constants.MOST}:
                 break
+        return self._sorted(kept)
+
+    def settle(self, rows: FloatArray, *, regular: bool) -> Found:
+        """Rows of another algorithm; where the arm is singular those that the seed leads to."""
+        kept: list[_Kept] = []
+        if regular:
+            kept = [
+                _Kept(self.wrapped(row / self.units), singular=False, chosen=False) for row in rows
+            ]
+            return self._sorted(kept)
+        u, _ = self.descend(self.starts(0, constants.FEW_STARTS))
+        for row in (u[0], *(rows / self.units), *u[1:]):
+            if self.miss(row[None])[1][0] <= self.kernel.residual:
+                self._keep(row, kept)
+        return self._sorted(kept)
+
+    def _sorted(self, kept: list[_Kept]) -> Found:
         q = self.joints(np.array([each.u for each in kept]).reshape(-1, len(self.solved)))
         rows = [(row, each.chosen) for row, each in zip(q, kept, strict=True)]
         rows.sort(key=cmp_to_key(_order))

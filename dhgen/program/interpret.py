@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.general import reference as general
-from dhgen.general.kernel import GeneralKernel
+from dhgen.general.arm import joint_values
 from dhgen.numerical import reference as numerical
 from dhgen.program.circle import circle_roots
 from dhgen.program.ir import (
@@ -143,16 +143,17 @@ class _Run:
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis."""
-        kernel = statement.kernel
         values = np.full((*self._shape, len(statement.names)), np.nan)
         found, chosen = np.zeros(self._shape, dtype=bool), np.zeros(self._shape, dtype=bool)
         for k, pose in enumerate(self._poses):
             seed, free = self._given["seed"][k], self._given["free"][k]
-            solved = (
-                general.solve(pose, kernel)
-                if isinstance(kernel, GeneralKernel)
-                else numerical.solve(pose, seed, free, kernel)
-            )
+            if statement.general is None:
+                solved = numerical.solve(pose, seed, free, statement.descent)
+            else:
+                first = general.solve(pose, statement.general)
+                rows = joint_values(first.q, statement.descent.arm.chain)
+                safe = first.complete and not first.singular
+                solved = numerical.settle(pose, seed, rows, statement.descent, regular=safe)
             count = len(solved.q)
             values[k, :count], chosen[k, :count] = solved.q, solved.chosen
             found[k, :count] = True

@@ -200,7 +200,9 @@ class AllJoints:
         names: The joint values, or the angles of the algebra.
         found: The truth value that says whether there is a solution at this place.
         chosen: The truth value that says whether a joint was indeterminate there.
-        kernel: The algorithm, and what it knows of the arm.
+        descent: Damped least squares for this arm: the whole algorithm, or where another one's
+            solutions are singular.
+        general: The general 6R algorithm where it goes first.
         given: Whether the caller gives the values of some joints.
         axes: None: the pose, the seed and the given joints decide.
     """
@@ -209,9 +211,15 @@ class AllJoints:
     names: tuple[str, ...]
     found: str
     chosen: str
-    kernel: GeneralKernel | NumericalKernel
+    descent: NumericalKernel
+    general: GeneralKernel | None = None
     given: bool = False
     axes: tuple[int, ...] = ()
+
+    @property
+    def method(self) -> str:
+        """What the algorithm is called."""
+        return self.descent.method if self.general is None else self.general.method
 
 
 @dataclass(frozen=True, slots=True)

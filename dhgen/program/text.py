@@ -44,9 +44,9 @@ def _statement(program: Program, statement: Statement) -> str:
         case Roots(axis, coefficients, axes):
             texts = ", ".join(map(expression_text, coefficients))
             return f"  {program.axes[axis].name}{signs((*axes, axis))} = roots({texts})"
-        case AllJoints(axis, names, found, chosen, kernel):
+        case AllJoints(axis, names, found, chosen):
             values = ", ".join((*names, found, chosen))
-            return f"  {values}{signs((axis,))} = all solutions ({kernel.method})"
+            return f"  {values}{signs((axis,))} = all solutions ({statement.method})"
         case Guard(condition, axes, failure):
             return f"  guard{signs(axes)} {expression_text(condition)}  ({failure.value})"
 

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import c_rows
-from dhgen.general.emit import c_source as general_source
-from dhgen.general.kernel import GeneralKernel
-from dhgen.numerical.emit import c_source as numerical_source
+from dhgen.general.emit import c_rows, c_source
+from dhgen.numerical.emit import c_search, c_tools
 from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
@@ -142,10 +140,15 @@ def _bodies(module: SolverModule) -> dict[str, object]:
 
 def _all_joints(module: SolverModule) -> str:
     """The function that solves all joints at once, where there is one."""
-    kernel = whole_arm(module.solver)
-    if isinstance(kernel, GeneralKernel):
-        return f"{general_source(kernel, module.name)}\n{c_rows(module.name)}"
-    return "" if kernel is None else numerical_source(kernel, module.name)
+    whole = whole_arm(module.solver)
+    if whole is None:
+        return ""
+    parts = [c_tools(whole.descent, module.name)]
+    if whole.general is None:
+        parts.append(c_search(whole.descent))
+    else:
+        parts += [c_source(whole.general, module.name), c_rows(module.chain, module.name)]
+    return "\n".join(parts)
 
 
 def _constant(name: str, value: str, comment: str) -> list[str]:

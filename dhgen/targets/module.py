@@ -73,9 +73,9 @@ class SolverModule:
     @property
     def method(self) -> str:
         """How it is solved: closed form, quartic, general 6R or numerical."""
-        kernel = whole_arm(self.solver)
-        if kernel is not None:
-            return kernel.method
+        whole = whole_arm(self.solver)
+        if whole is not None:
+            return whole.method
         return "quartic" if finds_roots(self.solver) else "closed form"
 
     @property

@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import python_rows
-from dhgen.general.emit import python_source as general_source
-from dhgen.general.kernel import GeneralKernel
-from dhgen.numerical.emit import python_source as numerical_source
+from dhgen.general.emit import python_rows, python_source
+from dhgen.numerical.emit import python_search, python_tools
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.robot import TaskKind
@@ -85,10 +83,15 @@ def _bodies(module: SolverModule) -> dict[str, object]:
 
 def _all_joints(module: SolverModule) -> str:
     """The function that solves all joints at once, where there is one."""
-    kernel = whole_arm(module.solver)
-    if isinstance(kernel, GeneralKernel):
-        return f"{general_source(kernel, module.name)}\n\n{python_rows(module.name)}"
-    return "" if kernel is None else numerical_source(kernel)
+    whole = whole_arm(module.solver)
+    if whole is None:
+        return ""
+    parts = [python_tools(whole.descent)]
+    if whole.general is None:
+        parts.append(python_search(whole.descent))
+    else:
+        parts += [python_source(whole.general, module.name), python_rows(module.chain, module.name)]
+    return "\n\n".join(parts)
 
 
 def _flat(module: SolverModule, flat: Flat | None) -> dict[str, object]:

@@ -9,8 +9,6 @@ from dhgen.program.ir import AllJoints, Apply, Guard, Joint, Let, Roots
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from dhgen.general.kernel import GeneralKernel
-    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.program.ir import Expression, NamedConstant, Program
 
 
@@ -49,9 +47,9 @@ def finds_roots(program: Program) -> bool:
     return any(isinstance(statement, Roots) for statement in program.body)
 
 
-def whole_arm(program: Program) -> GeneralKernel | NumericalKernel | None:
-    """The kernel that solves all joints at once, where one does."""
-    found = (s.kernel for s in program.body if isinstance(s, AllJoints))
+def whole_arm(program: Program) -> AllJoints | None:
+    """The statement that solves all joints at once, where there is one."""
+    found = (statement for statement in program.body if isinstance(statement, AllJoints))
     return next(found, None)
 
 

@@ -148,8 +148,11 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
             say("4. The certificate."),
         ),
         paragraph(
-            "Rows are ordered by θ1, then by θ2 and so on. Where the arm is singular, solutions "
-            "may be double, or a whole family of which some members are given."
+            "Rows are ordered by the value of joint 1, then of joint 2 and so on. Where roots meet "
+            "or the certificate is missing, damped least squares from the seed and from a few "
+            "evenly spread starts add what they find. Where the arm is singular, a solution may be "
+            "double, or one of a continuum: then it is pulled along the continuum towards the "
+            "seed, and its status is FREE_JOINT."
         ),
     ]
     return blocks

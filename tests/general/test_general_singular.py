@@ -1,0 +1,77 @@
+"""A general arm at singular poses: answered, followed from the seed, said so."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.compiler import compile_robot
+from dhgen.program.interpret import interpret
+from dhgen.verify.native import CompiledSolver, compile_solver
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.compiler import Compilation
+
+# xArm6: axes 4 and 5 meet, and axes 1 and 2; at a straight wrist joints turn against each other.
+XARM6 = """
+name: arm
+parameters: {a2: 0.28948866, a3: 0.0775, d4: 0.3425, a5: 0.076}
+joints:
+  - {theta: q, d: 0.267, alpha: -pi/2}
+  - {theta: q - 1.3849179, a: a2}
+  - {theta: -q + 1.3849179, a: a3, alpha: -pi/2}
+  - {theta: q, d: d4, alpha: pi/2}
+  - {theta: q, a: a5, alpha: -pi/2}
+  - {theta: q, d: 0.097}
+"""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Compilation, CompiledSolver]:
+    folder: Path = tmp_path_factory.mktemp("singular")
+    (folder / "arm.yaml").write_text(XARM6, encoding="utf-8")
+    compilation = compile_robot(folder / "arm.yaml")
+    assert compilation.module.method == "general 6R"
+    for name, text in compilation.files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(folder / "arm.c", folder, "arm", 6, 16, 0)
+    assert solver is not None
+    return compilation, solver
+
+
+def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """The largest difference of each row from joint values, whole turns aside."""
+    return np.asarray(np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi).max(axis=-1))
+
+
+def test_right_angles_are_answered_from_the_seed(
+    made: tuple[Compilation, CompiledSolver],
+) -> None:
+    _, solver = made
+    chosen = 0
+    random = np.random.default_rng(0)
+    for q in [np.zeros(6), *random.choice([0.0, np.pi / 2, np.pi, -np.pi / 2], (120, 6))]:
+        T = solver.fk(np.ascontiguousarray(q))
+        rows, status = solver.ik(T, np.ascontiguousarray(q))
+        held = rows[status != 1]
+        assert gaps(held, q).min() < 1e-3
+        chosen += int((status == 2).any())
+        for row in held:
+            np.testing.assert_allclose(solver.fk(np.ascontiguousarray(row)), T, atol=1e-9)
+    assert chosen > 0
+
+
+def test_regular_poses_agree_with_the_program(made: tuple[Compilation, CompiledSolver]) -> None:
+    compilation, solver = made
+    q = np.random.default_rng(1).uniform(-2.5, 2.5, (5, 6))
+    poses = np.array([solver.fk(row) for row in q])
+    meant = interpret(compilation.module.solver, poses)
+    for k, T in enumerate(poses):
+        rows, status = solver.ik(T, np.zeros(6))
+        np.testing.assert_array_equal(status == 0, meant.solved[k])
+        np.testing.assert_allclose(rows[status == 0], meant.q[k][meant.solved[k]], atol=1e-8)
+        assert not meant.free[k].any()
