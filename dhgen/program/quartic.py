@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
@@ -43,7 +44,87 @@ def lower_circle(context: Lowering, step: Step) -> None:
         polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
     root = context.new_root(f"x{angle.suffix}", polynomial)
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
+    if len(angle.terms) == 1 and context.may_be_lost:
+        root = _with_serving_digits(context, angle, polynomial, root)
     context.angles.solved_by_angle(angle, root)
+
+
+def _with_serving_digits(
+    context: Lowering, angle: AngleSum, polynomial: Circle, root: Node
+) -> Node:
+    """The root, or a seed beside it that is a root as well, up to rounding.
+
+    The nearer two roots are, the fewer of their digits are right, and an arm that is stretched is
+    then out of reach by the wrong ones, as in `finish_direction`.
+    """
+    builder, tolerances = context.builder, context.scales.tolerances
+    seed = context.angles.seed(angle)
+    at_root, at_seed = _Place(builder, root), _Place(builder, seed)
+    size = reduce(builder.add, map(builder.absolute, polynomial))
+    rate = at_root.slope(polynomial)
+    flat = builder.mul(context.scales.tolerance(tolerances.near, 0, "near"), size)
+    near = builder.name(
+        builder.apply("at_most", builder.absolute(rate), flat), f"near{angle.suffix}"
+    )
+    rounding = context.scales.tolerance(tolerances.double, 0, "double")
+    across = builder.sub(
+        builder.mul(at_seed.sine, at_root.cosine), builder.mul(at_seed.cosine, at_root.sine)
+    )
+    ahead = builder.add(
+        builder.mul(at_seed.cosine, at_root.cosine), builder.mul(at_seed.sine, at_root.sine)
+    )
+    same_side = builder.mul(rate, at_seed.slope(polynomial))
+    conditions = (
+        near,
+        builder.apply(
+            "at_most", builder.absolute(at_seed.value(polynomial)), builder.mul(rounding, size)
+        ),
+        builder.apply(
+            "at_most",
+            builder.absolute(across),
+            context.scales.tolerance(tolerances.near, 0, "near"),
+        ),
+        builder.apply("less", builder.integer(0), ahead),
+        builder.apply(
+            "at_most", builder.neg(builder.mul(rounding, builder.square(size))), same_side
+        ),
+    )
+    same = builder.name(reduce(partial(builder.apply, "and"), conditions), f"same{angle.suffix}")
+    taken = builder.select(same, seed, root)
+    ((joint, _),) = angle.terms
+    context.angles.nearly_chosen(joint, near, taken)
+    return taken
+
+
+class _Place:
+    """An angle at which a trigonometric polynomial is looked at."""
+
+    def __init__(self, builder: Builder, angle: Node) -> None:
+        self.cosine, self.sine = builder.apply("cos", angle), builder.apply("sin", angle)
+        self._builder = builder
+        self._twice = (
+            builder.sub(builder.square(self.cosine), builder.square(self.sine)),
+            builder.mul(builder.integer(2), builder.mul(self.cosine, self.sine)),
+        )
+
+    def value(self, f: Circle) -> Node:
+        """f."""
+        one, *others = f
+        return self._builder.add(one, self._combined(*others))
+
+    def slope(self, f: Circle) -> Node:
+        """The derivative of f."""
+        _, a1, b1, a2, b2 = f
+        neg, two = self._builder.neg, self._builder.integer(2)
+        mul = self._builder.mul
+        return self._combined(b1, neg(a1), mul(two, b2), neg(mul(two, a2)))
+
+    def _combined(self, a1: Node, b1: Node, a2: Node, b2: Node) -> Node:
+        """a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x."""
+        mul = self._builder.mul
+        parts = (mul(a1, self.cosine), mul(b1, self.sine))
+        twice = (mul(a2, self._twice[0]), mul(b2, self._twice[1]))
+        return reduce(self._builder.add, (*parts, *twice))
 
 
 def _turned(context: Lowering, step: Step, sides: tuple[Linear, Linear]) -> tuple[Circle, Node]:

@@ -17,6 +17,7 @@ _NAMES = {
     "free": ("free_limit", "a length that fixes no angle"),
     "free_square": ("free_limit_squared", "square of a length that fixes no angle"),
     "near": ("near_limit", "a length whose direction is good to few digits"),
+    "double": ("double_root", "a polynomial's value at a root, relative to its coefficients"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),

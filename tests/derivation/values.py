@@ -147,6 +147,11 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
         place = target @ [*vector, 1.0]
         for name, value in zip(point.names, place, strict=False):
             found[story.letters[name].text] = value
+    for base_point in story.derivation.pool.base_points:
+        vector = [_number(entry, values, story) for entry in base_point.in_base]
+        place = np.linalg.inv(target) @ [*vector, 1.0]
+        for name, value in zip(base_point.names, place, strict=False):
+            found[story.letters[name].text] = value
     for number in range(chain.dof):
         found[indexed("U", number)] = target
         target = np.linalg.inv(moved[number]) @ target

@@ -24,9 +24,7 @@ REFUSED = {"degenerate_collinear_56"}
 # No robot files yet.
 UNSOLVED = {
     "bartell_rprpr",
-    "franka_panda",
     "kinova_gen3_7",
-    "parallel_123",
     "xarm7",
 }
 # Strokes and a task that the table leaves open.

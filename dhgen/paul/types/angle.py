@@ -16,6 +16,7 @@ HOMOGENEOUS = 40  # Z = 0: always solvable, accurate everywhere
 GENERAL = 80
 SUM = 30  # where it degenerates, the seed's value for a joint is clearer than for a sum
 SQUARED = 60  # a squared distance loses digits when the arm is nearly folded
+CANCELLING = 50  # X^2 + Y^2 - Z^2 loses digits that (X - Z) (X + Z) keeps when both are small
 CONSTANT_FACTORS = 250  # c = Z alone loses half the digits near the ends of its range
 
 
@@ -56,5 +57,6 @@ class Angle:
             penalty = GENERAL
         penalty += len(x) + len(y) + len(z) + placing(form) + SUM * (joints - 1)
         penalty += SQUARED if form.equation.origin.row == 0 else 0
+        penalty += CANCELLING if x and y and z else 0
         letters = (("X", x), ("Y", y), ("Z", z))
         yield Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty)

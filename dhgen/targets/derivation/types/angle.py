@@ -46,8 +46,9 @@ def print_angle(context: StepContext) -> StepText:
     """Z = 0, a fixed cosine or sine, or the general case."""
     if not context.polynomial("Z"):
         return _homogeneous(context)
-    if not context.polynomial("X") or not context.polynomial("Y"):
-        return _single(context)
+    for absent, factor in (("X", "Y"), ("Y", "X")):
+        if not context.polynomial(absent) and context.is_constant(factor):
+            return _single(context)
     return _general(context)
 
 

@@ -1,0 +1,1530 @@
+/* franka_panda: Franka Emika Panda
+ *
+ * Inverse kinematics, generated from robots/franka_panda.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/franka_panda.yaml. The formulas and where they come from:
+ * franka_panda.md.
+ */
+#include "franka_panda.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+static const double d1 = 0.333; /* joint offset 1 [m] */
+static const double d3 = 0.316; /* joint offset 3 [m] */
+static const double a3 = 0.0825; /* link length 4 [m] */
+static const double d5 = 0.384; /* joint offset 5 [m] */
+static const double a4 = 0.0825; /* link length 5 [m] */
+static const double a6 = 0.088; /* link length 7 [m] */
+static const double d7 = 0.107; /* z of the tool frame [m] */
+/* rounding at the boundary of the workspace [m^2] */
+static const double reach_slack2 = 1.9404490000000003e-13;
+/* nearer to that boundary two branches are one [m^2] */
+static const double merge_slack2 = 1.940449e-14;
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 1.940449e-24;
+static const double reach_slack1 = 1.393e-13; /* rounding at the boundary of the workspace [m] */
+static const double merge_slack1 = 1.393e-14; /* nearer to that boundary two branches are one [m] */
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double k1 = 0.1155; /* 2 * (d3 * a4 + d5 * a3) [m^2] */
+static const double k2 = 0.22907550000000002; /* 2 * (d3 * d5 - a4 * a3) [m^2] */
+/* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
+static const double k3 = 0.25318050000000003;
+/* (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4] */
+static const double k4 = 0.06581583470025;
+/* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
+static const double k5 = 15.193911990243306;
+static const double turn1 = 0.46700242365301164; /* a constant angle [rad] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low1 = -2.897300001; /* lowest value of joint 1 */
+static const double high1 = 2.897300001; /* highest value of joint 1 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
+static const double low2 = -1.762800001; /* lowest value of joint 2 */
+static const double high2 = 1.762800001; /* highest value of joint 2 */
+static const double low3 = -2.897300001; /* lowest value of joint 3 */
+static const double high3 = 2.897300001; /* highest value of joint 3 */
+static const double low4 = -3.071800001; /* lowest value of joint 4 */
+static const double high4 = -0.069799999; /* highest value of joint 4 */
+static const double low5 = -2.897300001; /* lowest value of joint 5 */
+static const double high5 = 2.897300001; /* highest value of joint 5 */
+static const double low6 = -0.017500001; /* lowest value of joint 6 */
+static const double high6 = 3.752500001; /* highest value of joint 6 */
+static const double low7 = -2.897300001; /* lowest value of joint 7 */
+static const double high7 = 2.897300001; /* highest value of joint 7 */
+static const double m2 = 3.765342321601e-48; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m1 */
+
+const char *const franka_panda_branches[8] = {
+    "noflip4-noflip5-left", "noflip4-noflip5-right", "noflip4-flip5-left", "noflip4-flip5-right",
+    "flip4-noflip5-left", "flip4-noflip5-right", "flip4-flip5-left", "flip4-flip5-right",
+};
+
+static const double lowest[7] = { -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973 };
+static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973 };
+
+void franka_panda_fk(const double q[7], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double z3_x = c1 * s2;
+    const double z3_y = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3;
+    const double x3_y = x2_y * c3 + c1 * s3;
+    const double v1 = s2 * c3;
+    const double z4_x = s1 * c3 + x2_x * s3;
+    const double y3_y = c1 * c3 - x2_y * s3;
+    const double y3_z = s2 * s3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z3_x * s4;
+    const double x4_y = x3_y * c4 + z3_y * s4;
+    const double x4_z = c2 * s4 - v1 * c4;
+    const double y4_x = z3_x * c4 - x3_x * s4;
+    const double y4_y = z3_y * c4 - x3_y * s4;
+    const double y4_z = c2 * c4 + v1 * s4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - z4_x * s5;
+    const double x5_y = x4_y * c5 + y3_y * s5;
+    const double x5_z = x4_z * c5 + y3_z * s5;
+    const double z6_x = z4_x * c5 + x4_x * s5;
+    const double z6_y = x4_y * s5 - y3_y * c5;
+    const double z6_z = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double x6_x = x5_x * c6 + y4_x * s6;
+    const double x6_y = x5_y * c6 + y4_y * s6;
+    const double x6_z = x5_z * c6 + y4_z * s6;
+    const double T13_ = x5_x * s6 - y4_x * c6;
+    const double T23_ = x5_y * s6 - y4_y * c6;
+    const double T33_ = x5_z * s6 - y4_z * c6;
+    const double c7 = cos(q[6]);
+    const double s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + z6_x * s7;
+    const double T21_ = x6_y * c7 + z6_y * s7;
+    const double T31_ = x6_z * c7 + z6_z * s7;
+    const double T12_ = z6_x * c7 - x6_x * s7;
+    const double T22_ = z6_y * c7 - x6_y * s7;
+    const double T32_ = z6_z * c7 - x6_z * s7;
+    const double T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7;
+    const double T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7;
+    const double T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void franka_panda_jacobian(const double q[7], double J[42])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double J43 = c1 * s2;
+    const double J53 = s1 * s2;
+    const double p3_x = J43 * d3;
+    const double p3_y = J53 * d3;
+    const double p3_z = d1 + c2 * d3;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3;
+    const double x3_y = x2_y * c3 + c1 * s3;
+    const double v1 = s2 * c3;
+    const double J44 = s1 * c3 + x2_x * s3;
+    const double y3_y = c1 * c3 - x2_y * s3;
+    const double y3_z = s2 * s3;
+    const double p4_x = p3_x + x3_x * a3;
+    const double p4_y = p3_y + x3_y * a3;
+    const double p4_z = p3_z - v1 * a3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4;
+    const double x4_y = x3_y * c4 + J53 * s4;
+    const double x4_z = c2 * s4 - v1 * c4;
+    const double J45 = J43 * c4 - x3_x * s4;
+    const double J55 = J53 * c4 - x3_y * s4;
+    const double J65 = c2 * c4 + v1 * s4;
+    const double p5_x = p4_x - x4_x * a4 + J45 * d5;
+    const double p5_y = p4_y - x4_y * a4 + J55 * d5;
+    const double p5_z = p4_z - x4_z * a4 + J65 * d5;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - J44 * s5;
+    const double x5_y = x4_y * c5 + y3_y * s5;
+    const double x5_z = x4_z * c5 + y3_z * s5;
+    const double J46 = J44 * c5 + x4_x * s5;
+    const double J56 = x4_y * s5 - y3_y * c5;
+    const double J66 = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6;
+    const double p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6;
+    const double p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
+    const double J47 = x5_x * s6 - J45 * c6;
+    const double J57 = x5_y * s6 - J55 * c6;
+    const double J67 = x5_z * s6 - J65 * c6;
+    const double J21 = p7_x + J47 * d7;
+    const double v2 = p7_y + J57 * d7;
+    const double v3 = p7_z + J67 * d7;
+    const double v4 = v3 - d1;
+    const double J12 = c1 * v4;
+    const double J22 = s1 * v4;
+    const double v5 = J21 - p3_x;
+    const double v6 = v2 - p3_y;
+    const double v7 = v3 - p3_z;
+    const double J13 = J53 * v7 - c2 * v6;
+    const double J23 = c2 * v5 - J43 * v7;
+    const double J33 = J43 * v6 - J53 * v5;
+    const double v8 = J21 - p4_x;
+    const double v9 = v2 - p4_y;
+    const double v10 = v3 - p4_z;
+    const double J14 = -y3_y * v10 + y3_z * v9;
+    const double J34 = J44 * v9 - -y3_y * v8;
+    const double v11 = J21 - p5_x;
+    const double v12 = v2 - p5_y;
+    const double v13 = v3 - p5_z;
+    const double J15 = J55 * v13 - J65 * v12;
+    const double J25 = J65 * v11 - J45 * v13;
+    const double J35 = J45 * v12 - J55 * v11;
+    const double J16 = J56 * v13 - J66 * v12;
+    const double J26 = J66 * v11 - J46 * v13;
+    const double J36 = J46 * v12 - J56 * v11;
+    const double v14 = J21 - p7_x;
+    const double v15 = v2 - p7_y;
+    const double v16 = v3 - p7_z;
+    const double J17 = J57 * v16 - J67 * v15;
+    const double J27 = J67 * v14 - J47 * v16;
+    const double J37 = J47 * v15 - J57 * v14;
+    J[0] = -v2; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
+    J[7] = J21; J[8] = J22; J[9] = J23; J[10] = -(y3_z * v8 + J44 * v10); J[11] = J25; J[12] = J26;
+    J[13] = J27;
+    J[14] = 0.0; J[15] = -(s1 * v2 + c1 * J21); J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36;
+    J[20] = J37;
+    J[21] = 0.0; J[22] = -s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
+    J[28] = 0.0; J[29] = c1; J[30] = J53; J[31] = -y3_y; J[32] = J55; J[33] = J56; J[34] = J57;
+    J[35] = 1.0; J[36] = 0.0; J[37] = c2; J[38] = -y3_z; J[39] = J65; J[40] = J66; J[41] = J67;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef FRANKA_PANDA_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DFRANKA_PANDA_SCALAR. With -DFRANKA_PANDA_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(FRANKA_PANDA_SCALAR) && !defined(FRANKA_PANDA_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define sqrt_of_wide _mm512_sqrt_pd
+#else
+#define LANES 4
+#define sqrt_of_wide _mm256_sqrt_pd
+#endif
+#define sqrt_of_four _mm256_sqrt_pd
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four pick_four(four_mask m, four yes, four no)
+{
+    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    return pick_four((four_mask)all_four(-0.0), y, x);
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four sqrt_four(four x)
+{
+    return sqrt_of_four(x);
+}
+
+HELPER four cos_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER four sin_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const four_mask turned = (ay > lower) & (ax > inner);
+    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four(known + (r + r * u * p), y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide pick_wide(wide_mask m, wide yes, wide no)
+{
+    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide sqrt_wide(wide x)
+{
+    return sqrt_of_wide(x);
+}
+
+HELPER wide cos_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER wide sin_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define cos_wide cos
+#define sin_wide sin
+#ifdef FRANKA_PANDA_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
+    const wide_mask turned = (ay > lower) & (ax > inner);
+    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide(known + (r + r * u * p), y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & FRANKA_PANDA_UNREACHABLE) \
+        | (~(none) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)FRANKA_PANDA_UNREACHABLE \
+        : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
+#endif
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(
+    const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide c7 = cos_wide(free_joints[0]);
+    const wide s7 = sin_wide(free_joints[0]);
+
+    /* theta4 */
+    const wide v1 = d7 * T13 - T14;
+    const wide v2 = d7 * T23 - T24;
+    const wide v3 = d1 - (T34 - d7 * T33);
+    const wide w2x = v1 * T11 + v2 * T21 + v3 * T31;
+    const wide w2y = v1 * T12 + v2 * T22 + v3 * T32;
+    const wide w2z = T13 * v1 + T23 * v2 + T33 * v3;
+    const wide Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
+        (w2z * w2z - k3)));
+    const wide D4 = k4 - Z4 * Z4;
+    const wide v4 = 2.0 * abs_wide(Z4);
+    const wide w4 = sqrt_wide(D4);
+    const wide v5 = k1 * Z4;
+    const wide v6 = k2 * Z4;
+    const wide v7 = k1 * w4;
+    const wide c4_p = k5 * (v6 + v7);
+    const wide c4_m = k5 * (v6 - v7);
+    const wide v8 = k2 * w4;
+    const wide s4_p = k5 * (v8 - v5);
+    const wide v9 = k5 * (v5 + v8);
+    const wide angle1 = atan2_wide(w4, Z4);
+    const wide q4__p = angle1 - turn1;
+    const wide v10 = turn1 + angle1;
+
+    /* theta5 */
+    const wide v11 = a3 * c4_p + d3 * s4_p - a4;
+    const wide v12 = a3 * c4_m - d3 * v9 - a4;
+    const wide Z5 = c7 * w2y + s7 * w2x;
+    const wide N5_p = -v11 * -v11;
+    const wide N5_m = -v12 * -v12;
+    const wide v13 = Z5 * Z5;
+    const wide D5_p = N5_p - v13;
+    const wide D5_m = N5_m - v13;
+    const wide_mask free5_p = N5_p <= free_limit_squared2;
+    const wide_mask free5_m = N5_m <= free_limit_squared2;
+    const wide v14 = 2.0 * abs_wide(Z5);
+    const wide v15 = merge_slack1 * (merge_slack1 + v14);
+    const wide w5_p = sqrt_wide(D5_p);
+    const wide w5_m = sqrt_wide(D5_m);
+    const wide v16 = w5_p - w5_p;
+    const wide v17 = w5_m - w5_m;
+    const wide inverse5_p = 1.0 / N5_p;
+    const wide inverse5_m = 1.0 / N5_m;
+    const wide v18 = -v11 * w5_p;
+    const wide v19 = -v12 * w5_m;
+    const wide v20 = inverse5_p * v18;
+    const wide v21 = inverse5_m * v19;
+    const wide v22 = Z5 * -v11;
+    const wide v23 = Z5 * -v12;
+    const wide s5_p = inverse5_p * v22;
+    const wide s5_m = inverse5_m * v23;
+    const wide angle1_ = atan2_wide(v22, -v18);
+    const wide angle1__ = atan2_wide(v23, -v19);
+    const wide q5_pmp = copysign_wide(all_wide(half_turn), v22) * h1 - angle1_;
+    const wide q5_mmp = copysign_wide(all_wide(half_turn), v23) * h1 - angle1__;
+
+    /* theta6 */
+    const wide v24 = v11 * v20;
+    const wide v25 = v12 * v21;
+    const wide Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p);
+    const wide Y1_6_m = d5 + (d3 * c4_m + a3 * v9);
+    const wide Z2_6 = a6 + (c7 * w2x - s7 * w2y);
+    const wide v26 = Y1_6_p * Z2_6;
+    const wide v27 = Y1_6_m * Z2_6;
+    const wide v28 = w2z * v24;
+    const wide v29 = w2z * v25;
+    const wide v30 = v26 - v28;
+    const wide v31 = v26 + v28;
+    const wide v32 = v27 - v29;
+    const wide v33 = v27 + v29;
+    const wide v34 = w2z * Y1_6_p;
+    const wide v35 = w2z * Y1_6_m;
+    const wide v36 = v24 * Z2_6;
+    const wide v37 = v25 * Z2_6;
+    const wide C6_pp = v34 + v36;
+    const wide C6_pm = v34 - v36;
+    const wide C6_mp = v35 + v37;
+    const wide C6_mm = v35 - v37;
+    const wide v38 = v30 * v30 + C6_pp * C6_pp;
+    const wide v39 = v31 * v31 + C6_pm * C6_pm;
+    const wide v40 = v32 * v32 + C6_mp * C6_mp;
+    const wide v41 = v33 * v33 + C6_mm * C6_mm;
+    const wide factor6_pp = 1.0 / sqrt_wide(v38);
+    const wide factor6_pm = 1.0 / sqrt_wide(v39);
+    const wide factor6_mp = 1.0 / sqrt_wide(v40);
+    const wide factor6_mm = 1.0 / sqrt_wide(v41);
+    const wide c6_pp = C6_pp * factor6_pp;
+    const wide c6_pm = C6_pm * factor6_pm;
+    const wide c6_mp = C6_mp * factor6_mp;
+    const wide c6_mm = C6_mm * factor6_mm;
+    const wide v42 = v30 * factor6_pp;
+    const wide v43 = v31 * factor6_pm;
+    const wide v44 = v32 * factor6_mp;
+    const wide v45 = v33 * factor6_mm;
+    const wide angle1___ = atan2_wide(-v30, C6_pp);
+    const wide angle1____ = atan2_wide(-v31, C6_pm);
+    const wide angle1_____ = atan2_wide(-v32, C6_mp);
+    const wide angle1______ = atan2_wide(-v33, C6_mm);
+
+    /* theta1 */
+    const wide v46 = c7 * T11 - s7 * T12;
+    const wide v47 = T13 * c4_p;
+    const wide v48 = T13 * c4_m;
+    const wide v49 = c4_p * v46;
+    const wide v50 = c4_m * v46;
+    const wide v51 = c7 * T12 + s7 * T11;
+    const wide v52 = s5_p * (s4_p * v51);
+    const wide v53 = s5_m * (v9 * v51);
+    const wide v54 = v20 * (s4_p * v46);
+    const wide v55 = v21 * (v9 * v46);
+    const wide v56 = v20 * (T13 * s4_p);
+    const wide v57 = v21 * (T13 * v9);
+    const wide X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56));
+    const wide X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56));
+    const wide v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57));
+    const wide v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57));
+    const wide v60 = c7 * T21 - s7 * T22;
+    const wide v61 = T23 * c4_p;
+    const wide v62 = T23 * c4_m;
+    const wide v63 = c4_p * v60;
+    const wide v64 = c4_m * v60;
+    const wide v65 = c7 * T22 + s7 * T21;
+    const wide v66 = s5_p * (s4_p * v65);
+    const wide v67 = s5_m * (v9 * v65);
+    const wide v68 = v20 * (s4_p * v60);
+    const wide v69 = v21 * (v9 * v60);
+    const wide v70 = v20 * (T23 * s4_p);
+    const wide v71 = v21 * (T23 * v9);
+    const wide v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70));
+    const wide v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70));
+    const wide v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71));
+    const wide v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71));
+    const wide v76 = X1_pp * X1_pp + v72 * v72;
+    const wide v77 = X1_pm * X1_pm + v73 * v73;
+    const wide v78 = v58 * v58 + v74 * v74;
+    const wide v79 = v59 * v59 + v75 * v75;
+    const wide angle1_______ = atan2_wide(-v72, -X1_pp);
+    const wide angle1________ = atan2_wide(-v73, -X1_pm);
+    const wide angle1_________ = atan2_wide(v74, v58);
+    const wide angle1__________ = atan2_wide(v75, v59);
+    const wide q1_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -v72);
+    const wide q1_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), -v73);
+    const wide q1_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide q1_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v75);
+
+    /* theta3 */
+    const wide v80 = a4 * v60;
+    const wide v81 = d5 * T23;
+    const wide v82 = a4 * T23;
+    const wide v83 = d5 * v60;
+    const wide v84 = a4 * v65;
+    const wide v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const wide v86 = s5_p * v84 - v85;
+    const wide v87 = s5_m * v84 - v85;
+    const wide v88 = v20 * v80;
+    const wide v89 = v21 * v80;
+    const wide v90 = v20 * v82;
+    const wide v91 = v21 * v82;
+    const wide v92 = a4 * v46;
+    const wide v93 = d5 * T13;
+    const wide v94 = a4 * T13;
+    const wide v95 = d5 * v46;
+    const wide v96 = a4 * v51;
+    const wide v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const wide v98 = s5_p * v96 - v97;
+    const wide v99 = s5_m * v96 - v97;
+    const wide v100 = v20 * v92;
+    const wide v101 = v21 * v92;
+    const wide v102 = v20 * v94;
+    const wide v103 = v21 * v94;
+    const wide v104 = s5_p * v60;
+    const wide v105 = s5_m * v60;
+    const wide v106 = T23 * s5_p;
+    const wide v107 = T23 * s5_m;
+    const wide v108 = v20 * v65;
+    const wide v109 = v21 * v65;
+    const wide v110 = s5_p * v46;
+    const wide v111 = s5_m * v46;
+    const wide v112 = T13 * s5_p;
+    const wide v113 = T13 * s5_m;
+    const wide v114 = v20 * v51;
+    const wide v115 = v21 * v51;
+    const wide s3_pp = (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 +
+        (c6_pp * (v81 - v88) + v42 * (v83 + v90)))) / -a3;
+    const wide s3_pm = (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 +
+        (c6_pm * (v81 + v88) + v43 * (v83 - v90)))) / -a3;
+    const wide s3_mp = (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 +
+        (c6_mp * (v81 - v89) + v44 * (v83 + v91)))) / -a3;
+    const wide s3_mm = (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 +
+        (c6_mm * (v81 + v89) + v45 * (v83 - v91)))) / -a3;
+    const wide v116 = a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp *
+        v110 - v42 * v112))) / -a3;
+    const wide v117 = a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43
+        * v112 - v114)) / -a3;
+    const wide v118 = a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111
+        - v44 * v113))) / -a3;
+    const wide v119 = a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 *
+        v113 - v115)) / -a3;
+    const wide angle1___________ = atan2_wide(s3_pp, -v116);
+    const wide angle1____________ = atan2_wide(s3_pm, -v117);
+    const wide angle1_____________ = atan2_wide(s3_mp, -v118);
+    const wide angle1______________ = atan2_wide(s3_mm, -v119);
+    const wide q3_ppm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), s3_pp);
+    const wide q3_pmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), s3_pm);
+    const wide q3_mpm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), s3_mp);
+    const wide q3_mmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), s3_mm);
+
+    /* theta2 */
+    const wide v120 = c7 * T31 - s7 * T32;
+    const wide v121 = s4_p * v120;
+    const wide v122 = v9 * v120;
+    const wide v123 = T33 * c4_p;
+    const wide v124 = T33 * c4_m;
+    const wide v125 = T33 * s4_p;
+    const wide v126 = T33 * v9;
+    const wide v127 = c4_p * v120;
+    const wide v128 = c4_m * v120;
+    const wide v129 = c7 * T32 + s7 * T31;
+    const wide v130 = s5_p * (s4_p * v129);
+    const wide v131 = s5_m * (v9 * v129);
+    const wide v132 = v20 * v121;
+    const wide v133 = v21 * v122;
+    const wide v134 = v20 * v125;
+    const wide v135 = v21 * v126;
+    const wide v136 = s5_p * (c4_p * v129);
+    const wide v137 = s5_m * (c4_m * v129);
+    const wide v138 = v20 * v127;
+    const wide v139 = v21 * v128;
+    const wide v140 = v20 * v123;
+    const wide v141 = v21 * v124;
+    const wide v142 = s5_p * v120;
+    const wide v143 = s5_m * v120;
+    const wide v144 = T33 * s5_p;
+    const wide v145 = T33 * s5_m;
+    const wide v146 = v20 * v129;
+    const wide v147 = v21 * v129;
+    const wide angle1_______________ = atan2_wide(1.0 / sqrt_wide(v76) * (v116 * (v136 + (c6_pp *
+        (v125 - v138) + v42 * (v121 + v140))) + s3_pp * (v146 + (c6_pp * v142 - v42 * v144))), v130
+        - (c6_pp * (v123 + v132) + v42 * (v127 - v134)));
+    const wide angle1________________ = atan2_wide(1.0 / sqrt_wide(v77) * (v117 * (v136 + (c6_pm *
+        (v125 + v138) + v43 * (v121 - v140))) + s3_pm * (c6_pm * v142 - v43 * v144 - v146)), v130 -
+        (c6_pm * (v123 - v132) + v43 * (v127 + v134)));
+    const wide angle1_________________ = atan2_wide(1.0 / sqrt_wide(v78) * (v118 * (v137 + (v44 *
+        (v141 - v122) - c6_mp * (v126 + v139))) + s3_mp * (v147 + (c6_mp * v143 - v44 * v145))),
+        -(v131 + (c6_mp * (v124 - v133) + v44 * (v128 + v135))));
+    const wide angle1__________________ = atan2_wide(1.0 / sqrt_wide(v79) * (v119 * (v137 + (c6_mm *
+        (v139 - v126) - v45 * (v122 + v141))) + s3_mm * (c6_mm * v143 - v45 * v145 - v147)), -(v131
+        + (c6_mm * (v124 + v133) + v45 * (v128 - v135))));
+
+    /* joint values */
+    const wide v148 = q4__p + pick_wide(q4__p <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v149 = pick_wide(-v10 <= -half_turn, all_wide(m4), all_wide(0.0)) - v10;
+    const wide_mask v150 = (v148 < low4) | (high4 < v148);
+    const wide_mask v151 = (v149 < low4) | (high4 < v149);
+    const wide_mask v152 = (angle1_ < low5) | (high5 < angle1_);
+    const wide_mask v153 = (q5_pmp < low5) | (high5 < q5_pmp);
+    const wide_mask v154 = (angle1__ < low5) | (high5 < angle1__);
+    const wide_mask v155 = (q5_mmp < low5) | (high5 < q5_mmp);
+    const wide v156 = angle1___ + pick_wide(angle1___ < low6, all_wide(whole_turn), all_wide(0.0));
+    const wide v157 = angle1____ + pick_wide(angle1____ < low6, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide v158 = angle1_____ + pick_wide(angle1_____ < low6, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide v159 = angle1______ + pick_wide(angle1______ < low6, all_wide(whole_turn),
+        all_wide(0.0));
+    const wide_mask v160 = (v156 < low6) | (high6 < v156);
+    const wide_mask v161 = (v157 < low6) | (high6 < v157);
+    const wide_mask v162 = (v158 < low6) | (high6 < v158);
+    const wide_mask v163 = (v159 < low6) | (high6 < v159);
+    const wide q6_ppp = pick_wide(v160, angle1___, v156);
+    const wide q6_pmp = pick_wide(v161, angle1____, v157);
+    const wide q6_mpp = pick_wide(v162, angle1_____, v158);
+    const wide q6_mmp = pick_wide(v163, angle1______, v159);
+    const wide_mask v164 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const wide q4_ppp = v16 + v148;
+    const wide q4_mpp = v17 + v149;
+    const wide v165 = free_joints[0] + (w4 - w4);
+    const wide q7_ppp = v16 + v165;
+    const wide q7_mpp = v17 + v165;
+    const wide_mask outside_ppp = v164 | (v160 | (v152 | (v150 | (((angle1___________ < low3) |
+        (high3 < angle1___________)) | (((angle1_______ < low1) | (high1 < angle1_______)) |
+        ((angle1_______________ < low2) | (high2 < angle1_______________)))))));
+    const wide_mask outside_ppm = v164 | (v160 | (v152 | (v150 | (((q3_ppm < low3) | (high3 <
+        q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle1_______________ < low2) | (high2
+        < -angle1_______________)))))));
+    const wide_mask outside_pmp = v164 | (v161 | (v153 | (v150 | (((angle1____________ < low3) |
+        (high3 < angle1____________)) | (((angle1________ < low1) | (high1 < angle1________)) |
+        ((angle1________________ < low2) | (high2 < angle1________________)))))));
+    const wide_mask outside_pmm = v164 | (v161 | (v153 | (v150 | (((q3_pmm < low3) | (high3 <
+        q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle1________________ < low2) |
+        (high2 < -angle1________________)))))));
+    const wide_mask outside_mpp = v164 | (v162 | (v154 | (v151 | (((angle1_____________ < low3) |
+        (high3 < angle1_____________)) | (((angle1_________ < low1) | (high1 < angle1_________)) |
+        ((angle1_________________ < low2) | (high2 < angle1_________________)))))));
+    const wide_mask outside_mpm = v164 | (v162 | (v154 | (v151 | (((q3_mpm < low3) | (high3 <
+        q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle1_________________ < low2) |
+        (high2 < -angle1_________________)))))));
+    const wide_mask outside_mmp = v164 | (v163 | (v155 | (v151 | (((angle1______________ < low3) |
+        (high3 < angle1______________)) | (((angle1__________ < low1) | (high1 < angle1__________))
+        | ((angle1__________________ < low2) | (high2 < angle1__________________)))))));
+    const wide_mask outside_mmm = v164 | (v163 | (v155 | (v151 | (((q3_mmm < low3) | (high3 <
+        q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle1__________________ < low2) |
+        (high2 < -angle1__________________)))))));
+    const wide_mask doubt = ((v41 <= m2) | (v79 <= m3)) | (((v40 <= m2) | (v78 <= m3)) | (((v39 <=
+        m2) | (v77 <= m3)) | (((v38 <= m2) | (v76 <= m3)) | ((free5_m | ((-(reach_slack1 *
+        (reach_slack1 + v14)) <= D5_m) & (free5_m | ((v15 < D5_m) == 0)))) | (((-(reach_slack2 *
+        (reach_slack2 + v4)) <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | (free5_p |
+        ((-(reach_slack1 * (reach_slack1 + v14)) <= D5_p) & (free5_p | ((v15 < D5_p) == 0)))))))));
+
+    q[0] = angle1_______;
+    q[1] = angle1_______________;
+    q[2] = angle1___________;
+    q[3] = q4_ppp;
+    q[4] = angle1_;
+    q[5] = q6_ppp;
+    q[6] = q7_ppp;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[7] = q1_ppm;
+    q[8] = -angle1_______________;
+    q[9] = q3_ppm;
+    q[10] = q4_ppp;
+    q[11] = angle1_;
+    q[12] = q6_ppp;
+    q[13] = q7_ppp;
+    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    q[14] = angle1________;
+    q[15] = angle1________________;
+    q[16] = angle1____________;
+    q[17] = q4_ppp;
+    q[18] = q5_pmp;
+    q[19] = q6_pmp;
+    q[20] = q7_ppp;
+    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    q[21] = q1_pmm;
+    q[22] = -angle1________________;
+    q[23] = q3_pmm;
+    q[24] = q4_ppp;
+    q[25] = q5_pmp;
+    q[26] = q6_pmp;
+    q[27] = q7_ppp;
+    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    q[28] = angle1_________;
+    q[29] = angle1_________________;
+    q[30] = angle1_____________;
+    q[31] = q4_mpp;
+    q[32] = angle1__;
+    q[33] = q6_mpp;
+    q[34] = q7_mpp;
+    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    q[35] = q1_mpm;
+    q[36] = -angle1_________________;
+    q[37] = q3_mpm;
+    q[38] = q4_mpp;
+    q[39] = angle1__;
+    q[40] = q6_mpp;
+    q[41] = q7_mpp;
+    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    q[42] = angle1__________;
+    q[43] = angle1__________________;
+    q[44] = angle1______________;
+    q[45] = q4_mpp;
+    q[46] = q5_mmp;
+    q[47] = q6_mmp;
+    q[48] = q7_mpp;
+    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    q[49] = q1_mmm;
+    q[50] = -angle1__________________;
+    q[51] = q3_mmm;
+    q[52] = q4_mpp;
+    q[53] = q5_mmp;
+    q[54] = q6_mmp;
+    q[55] = q7_mpp;
+    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
+    return (exact == 0) | (doubt);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER double irregularity_double(const double T[16], const double free_joints[1])
+{
+    const double x0 = T[0], x1 = T[1], x2 = T[2];
+    const double y0 = T[4], y1 = T[5], y2 = T[6];
+    const double z0 = T[8], z1 = T[9], z2 = T[10];
+    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const double zx = x1 * y2 - x2 * y1 - z0;
+    const double zy = x2 * y0 - x0 * y2 - z1;
+    const double zz = x0 * y1 - x1 * y0 - z2;
+    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+static const double m1 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double c7 = cos(free_joints[0]);
+    const double s7 = sin(free_joints[0]);
+
+    /* theta4 */
+    const double v1 = d7 * T13 - T14;
+    const double v2 = d7 * T23 - T24;
+    const double v3 = d1 - (T34 - d7 * T33);
+    const double w2x = v1 * T11 + v2 * T21 + v3 * T31;
+    const double w2y = v1 * T12 + v2 * T22 + v3 * T32;
+    const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
+    const double Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
+        (w2z * w2z - k3)));
+    const double D4 = k4 - Z4 * Z4;
+    const double v4 = 2.0 * fabs(Z4);
+    const double w4 = sqrt(D4);
+    const int doubt1 = (-(reach_slack2 * (reach_slack2 + v4)) <= D4) & ((merge_slack2 *
+        (merge_slack2 + v4) < D4) == 0);
+    const double v5 = k1 * Z4;
+    const double v6 = k2 * Z4;
+    const double v7 = k1 * w4;
+    const four c4 = k5 * (v6 + e1 * v7);
+    const double v8 = k2 * w4;
+    const four s4 = k5 * (e1 * v8 - v5);
+
+    /* theta5 */
+    const four v9 = a3 * c4 + d3 * s4 - a4;
+    const double Z5 = c7 * w2y + s7 * w2x;
+    const four N5 = -v9 * -v9;
+    const double v10 = Z5 * Z5;
+    const four D5 = N5 - v10;
+    const four_mask free5 = N5 <= free_limit_squared2;
+    const double v11 = 2.0 * fabs(Z5);
+    const double v12 = merge_slack1 * (merge_slack1 + v11);
+    const four w5 = sqrt_four(D5);
+    const four v13 = w5 - w5;
+    const four inverse5 = 1.0 / N5;
+    const four v14 = -v9 * w5;
+    const four v15 = inverse5 * v14;
+    const four v16 = Z5 * -v9;
+    const four s5 = inverse5 * v16;
+    const four v17 = copysign_four(all_four(half_turn), v16);
+    const four v18 = m1 * (1.0 - e2);
+
+    /* theta6 */
+    const four v19 = v9 * v15;
+    const four Y1_6 = d5 + (d3 * c4 - a3 * s4);
+    const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
+    const four v20 = Y1_6 * Z2_6;
+    const four v21 = w2z * v19;
+    const four v22 = v20 - e2 * v21;
+    const four v23 = w2z * Y1_6;
+    const four v24 = v19 * Z2_6;
+    const four C6 = v23 + e2 * v24;
+    const four v25 = v22 * v22 + C6 * C6;
+    const four factor6 = 1.0 / sqrt_four(v25);
+    const four c6 = C6 * factor6;
+    const four v26 = v22 * factor6;
+
+    /* theta1 */
+    const double v27 = c7 * T11 - s7 * T12;
+    const four v28 = T13 * c4;
+    const four v29 = c4 * v27;
+    const double v30 = c7 * T12 + s7 * T11;
+    const four v31 = s5 * (s4 * v30);
+    const four v32 = v15 * (s4 * v27);
+    const four v33 = v15 * (T13 * s4);
+    const four X1 = v31 - (c6 * (v28 + e2 * v32) + v26 * (v29 - e2 * v33));
+    const double v34 = c7 * T21 - s7 * T22;
+    const four v35 = T23 * c4;
+    const four v36 = c4 * v34;
+    const double v37 = c7 * T22 + s7 * T21;
+    const four v38 = s5 * (s4 * v37);
+    const four v39 = v15 * (s4 * v34);
+    const four v40 = v15 * (T23 * s4);
+    const four v41 = v38 - (c6 * (v35 + e2 * v39) + v26 * (v36 - e2 * v40));
+    const four v42 = X1 * X1 + v41 * v41;
+
+    /* theta3 */
+    const double v43 = a4 * v34;
+    const double v44 = d5 * T23;
+    const double v45 = a4 * T23;
+    const double v46 = d5 * v34;
+    const double v47 = a4 * v37;
+    const double v48 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const four v49 = s5 * v47 - v48;
+    const four v50 = v15 * v43;
+    const four v51 = v15 * v45;
+    const double v52 = a4 * v27;
+    const double v53 = d5 * T13;
+    const double v54 = a4 * T13;
+    const double v55 = d5 * v27;
+    const double v56 = a4 * v30;
+    const double v57 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const four v58 = s5 * v56 - v57;
+    const four v59 = v15 * v52;
+    const four v60 = v15 * v54;
+    const four v61 = s5 * v34;
+    const four v62 = T23 * s5;
+    const four v63 = v15 * v37;
+    const four v64 = s5 * v27;
+    const four v65 = T13 * s5;
+    const four v66 = v15 * v30;
+    const four s3 = (-v41 * (v58 + (c6 * (v53 - e2 * v59) + v26 * (v55 + e2 * v60))) - -X1 * (v49 +
+        (c6 * (v44 - e2 * v50) + v26 * (v46 + e2 * v51)))) / -a3;
+    const four v67 = a3 * (-X1 * (c6 * v61 - v26 * v62 + e2 * v63) - -v41 * (c6 * v64 - v26 * v65 +
+        e2 * v66)) / -a3;
+
+    /* theta2 */
+    const double v68 = c7 * T31 - s7 * T32;
+    const four v69 = s4 * v68;
+    const four v70 = T33 * c4;
+    const four v71 = T33 * s4;
+    const four v72 = c4 * v68;
+    const double v73 = c7 * T32 + s7 * T31;
+    const four v74 = s5 * (s4 * v73);
+    const four v75 = v15 * v69;
+    const four v76 = v15 * v71;
+    const four v77 = s5 * (c4 * v73);
+    const four v78 = v15 * v72;
+    const four v79 = v15 * v70;
+    const four v80 = s5 * v68;
+    const four v81 = T33 * s5;
+    const four v82 = v15 * v73;
+
+    /* joint values */
+    const int v88 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const double v89 = free_joints[0] + (w4 - w4);
+    const four q7_p = v13 + v89;
+    const four_mask v90 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free5 | ((-(reach_slack1 *
+        (reach_slack1 + v11)) <= D5) & (free5 | ((v12 < D5) == 0))));
+    const four_mask doubt = ((v25 <= m2) | (v42 <= m3)) | v90;
+
+    const four angle1__ = atan2_four(-v22, C6);
+    const four angle1___ = atan2_four(-v41, -X1);
+    const four angle1____ = atan2_four(s3, -v67);
+    const four angle1_____ = atan2_four(1.0 / sqrt_four(v42) * (v67 * (v77 + (c6 * (v71 - e2 * v78)
+        + v26 * (v69 + e2 * v79))) + s3 * (c6 * v80 - v26 * v81 + e2 * v82)), v74 - (c6 * (v70 + e2
+        * v75) + v26 * (v72 - e2 * v76)));
+    const four packed5 = atan2_four(__builtin_shufflevector(v16, all_four(w4), 0, 5, 2, 3),
+        __builtin_shufflevector(-v14, all_four(Z4), 0, 5, 2, 3));
+    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_ = e1 * angle1 - turn1;
+    const four q5_p = e2 * angle1_ + v17 * v18;
+    const four q1_m = angle1___ - copysign_four(all_four(half_turn), -v41) * h1;
+    const four q3_m = angle1____ - h1 * copysign_four(all_four(half_turn), s3);
+    const four v83 = q4_ + pick_four(q4_ <= -half_turn, all_four(m4), all_four(0.0));
+    const four_mask v84 = (v83 < low4) | (high4 < v83);
+    const four_mask v85 = (q5_p < low5) | (high5 < q5_p);
+    const four v86 = angle1__ + pick_four(angle1__ < low6, all_four(whole_turn), all_four(0.0));
+    const four_mask v87 = (v86 < low6) | (high6 < v86);
+    const four q6_p = pick_four(v87, angle1__, v86);
+    const four q4_p = v13 + v83;
+    const four_mask outside_p = (all_four(v88 ? 1.0 : 0.0) > 0.0) | (v87 | (v85 | (v84 |
+        (((angle1____ < low3) | (high3 < angle1____)) | (((angle1___ < low1) | (high1 < angle1___))
+        | ((angle1_____ < low2) | (high2 < angle1_____)))))));
+    const four_mask outside_m = (all_four(v88 ? 1.0 : 0.0) > 0.0) | (v87 | (v85 | (v84 | (((q3_m <
+        low3) | (high3 < q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle1_____ < low2) |
+        (high2 < -angle1_____)))))));
+
+    if (!(irregularity_double(T, free_joints) <= 1e-24))
+        return -1;
+    if (bits_four(doubt))
+        return -1;
+    int count = 0;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1___, angle1_____, angle1____, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
+    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
+    const four_mask kind1 = kind_of(angle1___ != angle1___, outside_p);
+    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
+    status[0] = (unsigned char)kind1[0];
+    status[2] = (unsigned char)kind1[1];
+    status[4] = (unsigned char)kind1[2];
+    status[6] = (unsigned char)kind1[3];
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle1_____, q3_m, q4_p);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
+    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_p);
+    const four_mask kind2 = kind_of(q1_m != q1_m, outside_m);
+    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
+    status[1] = (unsigned char)kind2[0];
+    status[3] = (unsigned char)kind2[1];
+    status[5] = (unsigned char)kind2[2];
+    status[7] = (unsigned char)kind2[3];
+    return count;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    wide pose[16], found[56], x[LANES];
+    wide_mask kind[8];
+    wide given[1];
+    for (int i = 0; i < 1; i++)
+        for (int k = 0; k < LANES; k++)
+            given[i][k] = free_joints[1 * k + i];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, given, found, kind);
+    if (56 >= LANES) {
+        for (int i = 0; i < 56; i += LANES) {
+            const int from = i + LANES <= 56 ? i : 56 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 56 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 56; i++)
+            for (int k = 0; k < LANES; k++)
+                q[56 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, free_joints, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
+    unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    const double c7 = cos(free_joints[0]);
+    const double s7 = sin(free_joints[0]);
+
+    /* theta4, type 2: the squared length of column 4 of A7 U0^-1 A1 */
+    const double v1 = d7 * T13 - T14;
+    const double v2 = d7 * T23 - T24;
+    const double t34 = T34 - d7 * T33;
+    const double v3 = d1 - t34;
+    const double w2x = T11 * v1 + T21 * v2 + T31 * v3;
+    const double w2y = T12 * v1 + T22 * v2 + T32 * v3;
+    const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
+    const double Z4 = c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y +
+        (w2z * w2z - k3)));
+    const double D4 = k4 - Z4 * Z4;
+    const double v4 = 2.0 * fabs(Z4);
+    const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
+    if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
+    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const double v5 = k1 * Z4;
+    const double v6 = k2 * Z4;
+
+    /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
+    const double Z5 = c7 * w2y + s7 * w2x;
+    const double v8 = Z5 * Z5;
+    const double v9 = 2.0 * fabs(Z5);
+    const double v10 = merge_slack1 * (v9 + merge_slack1);
+
+    /* theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4] */
+    const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
+
+    /* theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3] */
+    const double v15 = c7 * T11 - s7 * T12;
+    const double v20 = c7 * T12 + s7 * T11;
+    const double v22 = c7 * T21 - s7 * T22;
+    const double v27 = c7 * T22 + s7 * T21;
+
+    /* theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3] */
+    const double v30 = a4 * v22;
+    const double v31 = d5 * T23;
+    const double v32 = a4 * T23;
+    const double v33 = d5 * v22;
+    const double v34 = a4 * v27;
+    const double v35 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6));
+    const double v38 = a4 * v15;
+    const double v39 = d5 * T13;
+    const double v40 = a4 * T13;
+    const double v41 = d5 * v15;
+    const double v42 = a4 * v20;
+    const double v43 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
+
+    /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
+    const double v53 = c7 * T31 - s7 * T32;
+    const double v58 = c7 * T32 + s7 * T31;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        /* theta4 */
+        if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
+        const double root4 = w4 * e1;
+        const double c4 = k5 * (v6 + k1 * root4);
+        const double s4 = k5 * (k2 * root4 - v5);
+        const double q4 = atan2(s4, c4);
+
+        /* theta5 */
+        const double v7 = a3 * c4 + d3 * s4 - a4;
+        const double N5 = -v7 * -v7;
+        const double D5 = N5 - v8;
+        const int free5 = N5 <= free_limit_squared2;
+        const int apart5 = v10 < D5;
+        if (!(-(reach_slack1 * (v9 + reach_slack1)) <= D5)) continue; /* out of reach */
+        const double w5 = sqrt(apart5 ? D5 : 0.0);
+        const double inverse5 = 1.0 / (free5 ? 1.0 : N5);
+        const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v7 * Z5);
+
+        /* theta6 */
+        const double Y1_6 = d5 + (d3 * c4 - a3 * s4);
+        const double v12 = Y1_6 * Z2_6;
+        const double v14 = w2z * Y1_6;
+
+        /* theta1 */
+        const double v16 = s4 * v15;
+        const double v17 = T13 * c4;
+        const double v18 = T13 * s4;
+        const double v19 = c4 * v15;
+        const double v21 = s5 * (s4 * v20);
+        const double v23 = s4 * v22;
+        const double v24 = T23 * c4;
+        const double v25 = T23 * s4;
+        const double v26 = c4 * v22;
+        const double v28 = s5 * (s4 * v27);
+
+        /* theta3 */
+        const double v36 = s5 * v34 - v35;
+        const double v44 = s5 * v42 - v43;
+        const double v46 = s5 * v22;
+        const double v47 = T23 * s5;
+        const double v49 = s5 * v15;
+        const double v50 = T13 * s5;
+
+        /* theta2 */
+        const double v54 = s4 * v53;
+        const double v55 = T33 * c4;
+        const double v56 = T33 * s4;
+        const double v57 = c4 * v53;
+        const double v59 = s5 * (s4 * v58);
+        const double v60 = s5 * (c4 * v58);
+        const double v62 = s5 * v53;
+        const double v63 = T33 * s5;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta5 */
+            if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (-v7 * (w5 * e2)));
+            const double q5 = atan2(s5, c5);
+
+            /* theta6 */
+            const double v11 = v7 * c5;
+            const double v13 = w2z * v11 + v12;
+            const double C6 = v14 - v11 * Z2_6;
+            const double w6 = sqrt(v13 * v13 + C6 * C6);
+            const int free6 = w6 <= free_limit_squared2;
+            const double factor6 = 1.0 / (free6 ? 1.0 : w6);
+            const double c6 = free6 ? cos(seed[5]) : C6 * factor6;
+            const double s6 = free6 ? sin(seed[5]) : -(v13 * factor6);
+            const double q6 = atan2(s6, c6);
+
+            /* theta1 */
+            const double X1 = c6 * (c5 * v16 - v17) + s6 * (c5 * v18 + v19) + v21;
+            const double v29 = c6 * (c5 * v23 - v24) + s6 * (c5 * v25 + v26) + v28;
+            const double w1 = sqrt(X1 * X1 + v29 * v29);
+            const int free1 = w1 <= free_limit;
+            const double divisor1 = free1 ? 1.0 : w1;
+
+            /* theta3 */
+            const double v37 = c6 * (c5 * v30 + v31) + s6 * (c5 * v32 - v33) + v36;
+            const double v45 = c6 * (c5 * v38 + v39) + s6 * (c5 * v40 - v41) + v44;
+            const double v48 = c6 * v46 + s6 * v47 - c5 * v27;
+            const double v51 = c5 * v20 - (c6 * v49 + s6 * v50);
+
+            /* theta2 */
+            const double c2 = c6 * (c5 * v54 - v55) + s6 * (c5 * v56 + v57) + v59;
+            const double v61 = c6 * (v56 + c5 * v57) + s6 * (c5 * v55 - v54) + v60;
+            const double v64 = c5 * v58 - (c6 * v62 + s6 * v63);
+
+            for (int i3 = 0; i3 < 2; i3++) { /* left, right */
+                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                /* theta1 */
+                if (e3 < 0.0 && free1) continue; /* both signs give the same */
+                const double factor1 = e3 / divisor1;
+                const double c1 = free1 ? cos(seed[0]) : -(X1 * factor1);
+                const double s1 = free1 ? sin(seed[0]) : -(v29 * factor1);
+                const double q1 = atan2(s1, c1);
+
+                /* theta3 */
+                const double s3 = (s1 * v45 - c1 * v37) / -a3;
+                const double v52 = a3 * (c1 * v48 + s1 * v51) / -a3;
+                const double q3 = atan2(s3, -v52);
+
+                /* theta2 */
+                const double s2 = v52 * v61 - s3 * v64;
+                const double q2 = atan2(s2, c2);
+                const int row = 4 * i1 + 2 * i2 + i3;
+                q[row][0] = q1;
+                q[row][1] = q2;
+                q[row][2] = q3;
+                q[row][3] = q4;
+                q[row][4] = q5;
+                q[row][5] = q6;
+                q[row][6] = free_joints[0];
+                status[row] = (free1 || free5 || free6) ? FRANKA_PANDA_FREE_JOINT : FRANKA_PANDA_OK;
+            }
+        }
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int franka_panda_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8])
+{
+    static const double zeros[7] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+        return count;
+    count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? FRANKA_PANDA_UNREACHABLE : FRANKA_PANDA_INVALID_POSE;
+        for (int i = 0; i < 7; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -FRANKA_PANDA_INVALID_POSE;
+    solve(pose, free_joints, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] == FRANKA_PANDA_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 7; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
+        }
+        count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int franka_panda_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
+{
+    double all[8][7], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -FRANKA_PANDA_UNREACHABLE;
+    for (int i = 0; i < 7; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 7; i++)
+        if (!isfinite(q_seed[i]))
+            return -FRANKA_PANDA_INVALID_POSE;
+    if (franka_panda_ik(T, free_joints, q_seed, all, status) < 0)
+        return -FRANKA_PANDA_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == FRANKA_PANDA_OUT_OF_LIMITS && result < 0)
+            result = -FRANKA_PANDA_OUT_OF_LIMITS;
+        if (status[row] != FRANKA_PANDA_OK && status[row] != FRANKA_PANDA_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 7; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 7; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void franka_panda_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)franka_panda_ik(
+                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
+                    status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
+        (void)franka_panda_ik(
+            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
+}

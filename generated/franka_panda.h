@@ -1,0 +1,74 @@
+/* franka_panda: Franka Emika Panda
+ *
+ * Inverse kinematics, generated from robots/franka_panda.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/franka_panda.yaml. The formulas and where they come from:
+ * franka_panda.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef FRANKA_PANDA_H
+#define FRANKA_PANDA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FRANKA_PANDA_METHOD "closed form"
+
+enum {
+    FRANKA_PANDA_DOF = 7, /* joints */
+    FRANKA_PANDA_FREE = 1, /* free joints, whose values the caller gives: 7 */
+    FRANKA_PANDA_ROWS = 8 /* branches */
+};
+
+/* What a row of franka_panda_ik holds. */
+enum {
+    /* joint values */
+    FRANKA_PANDA_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    FRANKA_PANDA_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    FRANKA_PANDA_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    FRANKA_PANDA_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose, or a free joint's value is not finite */
+    FRANKA_PANDA_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const franka_panda_branches[8];
+
+/* The pose T of the joint values q. */
+void franka_panda_fk(const double q[7], double T[16]);
+
+/* The geometric Jacobian, 6 x 7 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void franka_panda_jacobian(const double q[7], double J[42]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -FRANKA_PANDA_INVALID_POSE. */
+int franka_panda_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns FRANKA_PANDA_OK or FRANKA_PANDA_FREE_JOINT, or, with NaN in q,
+ * minus FRANKA_PANDA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int franka_panda_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
+
+/* franka_panda_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
+ * q n x 8 x 7, status n x 8. */
+void franka_panda_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1818 @@
+"""franka_panda: Franka Emika Panda.
+
+Inverse kinematics, generated from robots/franka_panda.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/franka_panda.yaml. The formulas and where they come from:
+franka_panda.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+
+NAME = "franka_panda"
+METHOD = "closed form"
+DOF = 7
+JOINT_TYPES = "RRRRRRR"
+JOINT_LIMITS = (
+    (-2.8973, 2.8973),
+    (-1.7628, 1.7628),
+    (-2.8973, 2.8973),
+    (-3.0718, -0.0698),
+    (-2.8973, 2.8973),
+    (-0.0175, 3.7525),
+    (-2.8973, 2.8973),
+)
+BRANCHES = (
+    "noflip4-noflip5-left",
+    "noflip4-noflip5-right",
+    "noflip4-flip5-left",
+    "noflip4-flip5-right",
+    "flip4-noflip5-left",
+    "flip4-noflip5-right",
+    "flip4-flip5-left",
+    "flip4-flip5-right",
+)
+MAX_SOLUTIONS = 8
+FREE_JOINTS = (7,)  # from 1: the caller gives their values
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose, or a free joint's value is not finite
+
+d1 = 0.333  # joint offset 1 [m]
+d3 = 0.316  # joint offset 3 [m]
+a3 = 0.0825  # link length 4 [m]
+d5 = 0.384  # joint offset 5 [m]
+a4 = 0.0825  # link length 5 [m]
+a6 = 0.088  # link length 7 [m]
+d7 = 0.107  # z of the tool frame [m]
+reach_slack2 = 1.9404490000000003e-13  # rounding at the boundary of the workspace [m^2]
+merge_slack2 = 1.940449e-14  # nearer to that boundary two branches are one [m^2]
+free_limit_squared2 = 1.940449e-24  # square of a length that fixes no angle [m^2]
+reach_slack1 = 1.393e-13  # rounding at the boundary of the workspace [m]
+merge_slack1 = 1.393e-14  # nearer to that boundary two branches are one [m]
+free_limit = 1e-12  # a length that fixes no angle
+k1 = 0.1155  # 2 * (d3 * a4 + d5 * a3) [m^2]
+k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
+k3 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
+k4 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
+k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4]
+turn1 = 0.46700242365301164  # a constant angle [rad]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.897300001  # lowest value of joint 1
+high1 = 2.897300001  # highest value of joint 1
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -1.762800001  # lowest value of joint 2
+high2 = 1.762800001  # highest value of joint 2
+low3 = -2.897300001  # lowest value of joint 3
+high3 = 2.897300001  # highest value of joint 3
+low4 = -3.071800001  # lowest value of joint 4
+high4 = -0.069799999  # highest value of joint 4
+low5 = -2.897300001  # lowest value of joint 5
+high5 = 2.897300001  # highest value of joint 5
+low6 = -0.017500001  # lowest value of joint 6
+high6 = 3.752500001  # highest value of joint 6
+low7 = -2.897300001  # lowest value of joint 7
+high7 = 2.897300001  # highest value of joint 7
+m2 = 3.765342321601e-48  # free_limit_squared2^2 [m^4]
+m3 = 1e-24  # free_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m1
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(fastmath={"contract"}, **_OPTIONS)
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (7,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 7 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    z3_x = c1 * s2
+    z3_y = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - s1 * s3
+    x3_y = x2_y * c3 + c1 * s3
+    v1 = s2 * c3
+    z4_x = s1 * c3 + x2_x * s3
+    y3_y = c1 * c3 - x2_y * s3
+    y3_z = s2 * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + z3_x * s4
+    x4_y = x3_y * c4 + z3_y * s4
+    x4_z = c2 * s4 - v1 * c4
+    y4_x = z3_x * c4 - x3_x * s4
+    y4_y = z3_y * c4 - x3_y * s4
+    y4_z = c2 * c4 + v1 * s4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 - z4_x * s5
+    x5_y = x4_y * c5 + y3_y * s5
+    x5_z = x4_z * c5 + y3_z * s5
+    z6_x = z4_x * c5 + x4_x * s5
+    z6_y = x4_y * s5 - y3_y * c5
+    z6_z = x4_z * s5 - y3_z * c5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    x6_x = x5_x * c6 + y4_x * s6
+    x6_y = x5_y * c6 + y4_y * s6
+    x6_z = x5_z * c6 + y4_z * s6
+    T13_ = x5_x * s6 - y4_x * c6
+    T23_ = x5_y * s6 - y4_y * c6
+    T33_ = x5_z * s6 - y4_z * c6
+    c7 = math.cos(q[6])
+    s7 = math.sin(q[6])
+    T11_ = x6_x * c7 + z6_x * s7
+    T21_ = x6_y * c7 + z6_y * s7
+    T31_ = x6_z * c7 + z6_z * s7
+    T12_ = z6_x * c7 - x6_x * s7
+    T22_ = z6_y * c7 - x6_y * s7
+    T32_ = z6_z * c7 - x6_z * s7
+    T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7
+    T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7
+    T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 7 joint values")
+    J = np.zeros((6, 7))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    J43 = c1 * s2
+    J53 = s1 * s2
+    p3_x = J43 * d3
+    p3_y = J53 * d3
+    p3_z = d1 + c2 * d3
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - s1 * s3
+    x3_y = x2_y * c3 + c1 * s3
+    v1 = s2 * c3
+    J44 = s1 * c3 + x2_x * s3
+    y3_y = c1 * c3 - x2_y * s3
+    y3_z = s2 * s3
+    p4_x = p3_x + x3_x * a3
+    p4_y = p3_y + x3_y * a3
+    p4_z = p3_z - v1 * a3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + J43 * s4
+    x4_y = x3_y * c4 + J53 * s4
+    x4_z = c2 * s4 - v1 * c4
+    J45 = J43 * c4 - x3_x * s4
+    J55 = J53 * c4 - x3_y * s4
+    J65 = c2 * c4 + v1 * s4
+    p5_x = p4_x - x4_x * a4 + J45 * d5
+    p5_y = p4_y - x4_y * a4 + J55 * d5
+    p5_z = p4_z - x4_z * a4 + J65 * d5
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 - J44 * s5
+    x5_y = x4_y * c5 + y3_y * s5
+    x5_z = x4_z * c5 + y3_z * s5
+    J46 = J44 * c5 + x4_x * s5
+    J56 = x4_y * s5 - y3_y * c5
+    J66 = x4_z * s5 - y3_z * c5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6
+    p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6
+    p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6
+    J47 = x5_x * s6 - J45 * c6
+    J57 = x5_y * s6 - J55 * c6
+    J67 = x5_z * s6 - J65 * c6
+    J21 = p7_x + J47 * d7
+    v2 = p7_y + J57 * d7
+    v3 = p7_z + J67 * d7
+    v4 = v3 - d1
+    J12 = c1 * v4
+    J22 = s1 * v4
+    v5 = J21 - p3_x
+    v6 = v2 - p3_y
+    v7 = v3 - p3_z
+    J13 = J53 * v7 - c2 * v6
+    J23 = c2 * v5 - J43 * v7
+    J33 = J43 * v6 - J53 * v5
+    v8 = J21 - p4_x
+    v9 = v2 - p4_y
+    v10 = v3 - p4_z
+    J14 = -y3_y * v10 + y3_z * v9
+    J34 = J44 * v9 - -y3_y * v8
+    v11 = J21 - p5_x
+    v12 = v2 - p5_y
+    v13 = v3 - p5_z
+    J15 = J55 * v13 - J65 * v12
+    J25 = J65 * v11 - J45 * v13
+    J35 = J45 * v12 - J55 * v11
+    J16 = J56 * v13 - J66 * v12
+    J26 = J66 * v11 - J46 * v13
+    J36 = J46 * v12 - J56 * v11
+    v14 = J21 - p7_x
+    v15 = v2 - p7_y
+    v16 = v3 - p7_z
+    J17 = J57 * v16 - J67 * v15
+    J27 = J67 * v14 - J47 * v16
+    J37 = J47 * v15 - J57 * v14
+    J[0, 0] = -v2
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[0, 6] = J17
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = -(y3_z * v8 + J44 * v10)
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[1, 6] = J27
+    J[2, 1] = -(s1 * v2 + c1 * J21)
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[2, 6] = J37
+    J[3, 1] = -s1
+    J[3, 2] = J43
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[3, 6] = J47
+    J[4, 1] = c1
+    J[4, 2] = J53
+    J[4, 3] = -y3_y
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[4, 6] = J57
+    J[5, 0] = 1.0
+    J[5, 2] = c2
+    J[5, 3] = -y3_z
+    J[5, 4] = J65
+    J[5, 5] = J66
+    J[5, 6] = J67
+    return J
+
+
+@_jit
+def _solve(pose, q_free, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    c7 = math.cos(q_free[0])
+    s7 = math.sin(q_free[0])
+
+    # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
+    v1 = d7 * T13 - T14
+    v2 = d7 * T23 - T24
+    t34 = T34 - d7 * T33
+    v3 = d1 - t34
+    w2x = T11 * v1 + T21 * v2 + T31 * v3
+    w2y = T12 * v1 + T22 * v2 + T32 * v3
+    w2z = T13 * v1 + T23 * v2 + T33 * v3
+    Z4 = (
+        c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
+        k3)))
+    )
+    D4 = k4 - Z4 * Z4
+    v4 = 2.0 * abs(Z4)
+    apart4 = merge_slack2 * (v4 + merge_slack2) < D4
+    if not (-(reach_slack2 * (v4 + reach_slack2)) <= D4):
+        return  # out of reach
+    w4 = math.sqrt(D4 if apart4 else 0.0)
+    v5 = k1 * Z4
+    v6 = k2 * Z4
+
+    # theta5, type 2: A7 U0^-1 A1 [3, 4]
+    Z5 = c7 * w2y + s7 * w2x
+    v8 = Z5 * Z5
+    v9 = 2.0 * abs(Z5)
+    v10 = merge_slack1 * (v9 + merge_slack1)
+
+    # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
+    Z2_6 = a6 + (c7 * w2x - s7 * w2y)
+
+    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
+    v15 = c7 * T11 - s7 * T12
+    v20 = c7 * T12 + s7 * T11
+    v22 = c7 * T21 - s7 * T22
+    v27 = c7 * T22 + s7 * T21
+
+    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
+    v30 = a4 * v22
+    v31 = d5 * T23
+    v32 = a4 * T23
+    v33 = d5 * v22
+    v34 = a4 * v27
+    v35 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6))
+    v38 = a4 * v15
+    v39 = d5 * T13
+    v40 = a4 * T13
+    v41 = d5 * v15
+    v42 = a4 * v20
+    v43 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6))
+
+    # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
+    v53 = c7 * T31 - s7 * T32
+    v58 = c7 * T32 + s7 * T31
+
+    for i1 in range(2):  # noflip4, flip4
+        e1 = 1.0 - 2.0 * i1
+        # theta4
+        if e1 < 0.0 and not apart4:
+            continue  # both signs give the same
+        root4 = w4 * e1
+        c4 = k5 * (v6 + k1 * root4)
+        s4 = k5 * (k2 * root4 - v5)
+        q4 = _atan2(s4, c4)
+
+        # theta5
+        v7 = a3 * c4 + d3 * s4 - a4
+        N5 = -v7 * -v7
+        D5 = N5 - v8
+        free5 = N5 <= free_limit_squared2
+        apart5 = v10 < D5
+        if not (-(reach_slack1 * (v9 + reach_slack1)) <= D5):
+            continue  # out of reach
+        w5 = math.sqrt(D5 if apart5 else 0.0)
+        inverse5 = 1.0 / (1.0 if free5 else N5)
+        s5 = math.sin(seed[4]) if free5 else inverse5 * (-v7 * Z5)
+
+        # theta6
+        Y1_6 = d5 + (d3 * c4 - a3 * s4)
+        v12 = Y1_6 * Z2_6
+        v14 = w2z * Y1_6
+
+        # theta1
+        v16 = s4 * v15
+        v17 = T13 * c4
+        v18 = T13 * s4
+        v19 = c4 * v15
+        v21 = s5 * (s4 * v20)
+        v23 = s4 * v22
+        v24 = T23 * c4
+        v25 = T23 * s4
+        v26 = c4 * v22
+        v28 = s5 * (s4 * v27)
+
+        # theta3
+        v36 = s5 * v34 - v35
+        v44 = s5 * v42 - v43
+        v46 = s5 * v22
+        v47 = T23 * s5
+        v49 = s5 * v15
+        v50 = T13 * s5
+
+        # theta2
+        v54 = s4 * v53
+        v55 = T33 * c4
+        v56 = T33 * s4
+        v57 = c4 * v53
+        v59 = s5 * (s4 * v58)
+        v60 = s5 * (c4 * v58)
+        v62 = s5 * v53
+        v63 = T33 * s5
+
+        for i2 in range(2):  # noflip5, flip5
+            e2 = 1.0 - 2.0 * i2
+            # theta5
+            if e2 < 0.0 and (free5 or not apart5):
+                continue  # both signs give the same
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (-v7 * (w5 * e2)))
+            q5 = _atan2(s5, c5)
+
+            # theta6
+            v11 = v7 * c5
+            v13 = w2z * v11 + v12
+            C6 = v14 - v11 * Z2_6
+            w6 = math.sqrt(v13 * v13 + C6 * C6)
+            free6 = w6 <= free_limit_squared2
+            factor6 = 1.0 / (1.0 if free6 else w6)
+            c6 = math.cos(seed[5]) if free6 else C6 * factor6
+            s6 = math.sin(seed[5]) if free6 else -(v13 * factor6)
+            q6 = _atan2(s6, c6)
+
+            # theta1
+            X1 = c6 * (c5 * v16 - v17) + s6 * (c5 * v18 + v19) + v21
+            v29 = c6 * (c5 * v23 - v24) + s6 * (c5 * v25 + v26) + v28
+            w1 = math.sqrt(X1 * X1 + v29 * v29)
+            free1 = w1 <= free_limit
+            divisor1 = 1.0 if free1 else w1
+
+            # theta3
+            v37 = c6 * (c5 * v30 + v31) + s6 * (c5 * v32 - v33) + v36
+            v45 = c6 * (c5 * v38 + v39) + s6 * (c5 * v40 - v41) + v44
+            v48 = c6 * v46 + s6 * v47 - c5 * v27
+            v51 = c5 * v20 - (c6 * v49 + s6 * v50)
+
+            # theta2
+            c2 = c6 * (c5 * v54 - v55) + s6 * (c5 * v56 + v57) + v59
+            v61 = c6 * (v56 + c5 * v57) + s6 * (c5 * v55 - v54) + v60
+            v64 = c5 * v58 - (c6 * v62 + s6 * v63)
+
+            for i3 in range(2):  # left, right
+                e3 = 1.0 - 2.0 * i3
+                # theta1
+                if e3 < 0.0 and free1:
+                    continue  # both signs give the same
+                factor1 = e3 / divisor1
+                c1 = math.cos(seed[0]) if free1 else -(X1 * factor1)
+                s1 = math.sin(seed[0]) if free1 else -(v29 * factor1)
+                q1 = _atan2(s1, c1)
+
+                # theta3
+                s3 = (s1 * v45 - c1 * v37) / -a3
+                v52 = a3 * (c1 * v48 + s1 * v51) / -a3
+                q3 = _atan2(s3, -v52)
+
+                # theta2
+                s2 = v52 * v61 - s3 * v64
+                q2 = _atan2(s2, c2)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                q[row, 6] = q_free[0]
+                status[row] = FREE_JOINT if free1 or free5 or free6 else OK
+
+
+@_jit
+def _read(T, q_free):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz) and math.isfinite(q_free[0])
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _whole(pose, q_free, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
+    for row in range(8):
+        status[row] = UNREACHABLE
+        for i in range(7):
+            q[row, i] = math.nan
+    _solve(pose, q_free, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(7):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def _regular(pose, q_free, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    c7 = math.cos(q_free[0])
+    s7 = math.sin(q_free[0])
+
+    # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
+    v1 = d7 * T13 - T14
+    v2 = d7 * T23 - T24
+    v3 = d1 - (T34 - d7 * T33)
+    w2x = v1 * T11 + v2 * T21 + v3 * T31
+    w2y = v1 * T12 + v2 * T22 + v3 * T32
+    w2z = T13 * v1 + T23 * v2 + T33 * v3
+    Z4 = (
+        c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
+        k3)))
+    )
+    D4 = k4 - Z4 * Z4
+    v4 = 2.0 * abs(Z4)
+    w4 = math.sqrt(D4)
+    v5 = k1 * Z4
+    v6 = k2 * Z4
+    v7 = k1 * w4
+    c4_p = k5 * (v6 + v7)
+    c4_m = k5 * (v6 - v7)
+    v8 = k2 * w4
+    s4_p = k5 * (v8 - v5)
+    v9 = k5 * (v5 + v8)
+    angle1 = _atan2(w4, Z4)
+    q4__p = angle1 - turn1
+    v10 = turn1 + angle1
+
+    # theta5, type 2: A7 U0^-1 A1 [3, 4]
+    v11 = a3 * c4_p + d3 * s4_p - a4
+    v12 = a3 * c4_m - d3 * v9 - a4
+    Z5 = c7 * w2y + s7 * w2x
+    N5_p = -v11 * -v11
+    N5_m = -v12 * -v12
+    v13 = Z5 * Z5
+    D5_p = N5_p - v13
+    D5_m = N5_m - v13
+    free5_p = N5_p <= free_limit_squared2
+    free5_m = N5_m <= free_limit_squared2
+    v14 = 2.0 * abs(Z5)
+    v15 = merge_slack1 * (merge_slack1 + v14)
+    w5_p = math.sqrt(D5_p)
+    w5_m = math.sqrt(D5_m)
+    v16 = w5_p - w5_p
+    v17 = w5_m - w5_m
+    inverse5_p = 1.0 / N5_p
+    inverse5_m = 1.0 / N5_m
+    v18 = -v11 * w5_p
+    v19 = -v12 * w5_m
+    v20 = inverse5_p * v18
+    v21 = inverse5_m * v19
+    v22 = Z5 * -v11
+    v23 = Z5 * -v12
+    s5_p = inverse5_p * v22
+    s5_m = inverse5_m * v23
+    angle1_ = _atan2(v22, -v18)
+    angle1__ = _atan2(v23, -v19)
+    q5_pmp = math.copysign(half_turn, v22) * h1 - angle1_
+    q5_mmp = math.copysign(half_turn, v23) * h1 - angle1__
+
+    # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
+    v24 = v11 * v20
+    v25 = v12 * v21
+    Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p)
+    Y1_6_m = d5 + (d3 * c4_m + a3 * v9)
+    Z2_6 = a6 + (c7 * w2x - s7 * w2y)
+    v26 = Y1_6_p * Z2_6
+    v27 = Y1_6_m * Z2_6
+    v28 = w2z * v24
+    v29 = w2z * v25
+    v30 = v26 - v28
+    v31 = v26 + v28
+    v32 = v27 - v29
+    v33 = v27 + v29
+    v34 = w2z * Y1_6_p
+    v35 = w2z * Y1_6_m
+    v36 = v24 * Z2_6
+    v37 = v25 * Z2_6
+    C6_pp = v34 + v36
+    C6_pm = v34 - v36
+    C6_mp = v35 + v37
+    C6_mm = v35 - v37
+    v38 = v30 * v30 + C6_pp * C6_pp
+    v39 = v31 * v31 + C6_pm * C6_pm
+    v40 = v32 * v32 + C6_mp * C6_mp
+    v41 = v33 * v33 + C6_mm * C6_mm
+    factor6_pp = 1.0 / math.sqrt(v38)
+    factor6_pm = 1.0 / math.sqrt(v39)
+    factor6_mp = 1.0 / math.sqrt(v40)
+    factor6_mm = 1.0 / math.sqrt(v41)
+    c6_pp = C6_pp * factor6_pp
+    c6_pm = C6_pm * factor6_pm
+    c6_mp = C6_mp * factor6_mp
+    c6_mm = C6_mm * factor6_mm
+    v42 = v30 * factor6_pp
+    v43 = v31 * factor6_pm
+    v44 = v32 * factor6_mp
+    v45 = v33 * factor6_mm
+    angle1___ = _atan2(-v30, C6_pp)
+    angle1____ = _atan2(-v31, C6_pm)
+    angle1_____ = _atan2(-v32, C6_mp)
+    angle1______ = _atan2(-v33, C6_mm)
+
+    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
+    v46 = c7 * T11 - s7 * T12
+    v47 = T13 * c4_p
+    v48 = T13 * c4_m
+    v49 = c4_p * v46
+    v50 = c4_m * v46
+    v51 = c7 * T12 + s7 * T11
+    v52 = s5_p * (s4_p * v51)
+    v53 = s5_m * (v9 * v51)
+    v54 = v20 * (s4_p * v46)
+    v55 = v21 * (v9 * v46)
+    v56 = v20 * (T13 * s4_p)
+    v57 = v21 * (T13 * v9)
+    X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56))
+    X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56))
+    v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57))
+    v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57))
+    v60 = c7 * T21 - s7 * T22
+    v61 = T23 * c4_p
+    v62 = T23 * c4_m
+    v63 = c4_p * v60
+    v64 = c4_m * v60
+    v65 = c7 * T22 + s7 * T21
+    v66 = s5_p * (s4_p * v65)
+    v67 = s5_m * (v9 * v65)
+    v68 = v20 * (s4_p * v60)
+    v69 = v21 * (v9 * v60)
+    v70 = v20 * (T23 * s4_p)
+    v71 = v21 * (T23 * v9)
+    v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70))
+    v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70))
+    v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71))
+    v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71))
+    v76 = X1_pp * X1_pp + v72 * v72
+    v77 = X1_pm * X1_pm + v73 * v73
+    v78 = v58 * v58 + v74 * v74
+    v79 = v59 * v59 + v75 * v75
+    angle1_______ = _atan2(-v72, -X1_pp)
+    angle1________ = _atan2(-v73, -X1_pm)
+    angle1_________ = _atan2(v74, v58)
+    angle1__________ = _atan2(v75, v59)
+    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v72)
+    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v73)
+    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, v74)
+    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v75)
+
+    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
+    v80 = a4 * v60
+    v81 = d5 * T23
+    v82 = a4 * T23
+    v83 = d5 * v60
+    v84 = a4 * v65
+    v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+    v86 = s5_p * v84 - v85
+    v87 = s5_m * v84 - v85
+    v88 = v20 * v80
+    v89 = v21 * v80
+    v90 = v20 * v82
+    v91 = v21 * v82
+    v92 = a4 * v46
+    v93 = d5 * T13
+    v94 = a4 * T13
+    v95 = d5 * v46
+    v96 = a4 * v51
+    v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+    v98 = s5_p * v96 - v97
+    v99 = s5_m * v96 - v97
+    v100 = v20 * v92
+    v101 = v21 * v92
+    v102 = v20 * v94
+    v103 = v21 * v94
+    v104 = s5_p * v60
+    v105 = s5_m * v60
+    v106 = T23 * s5_p
+    v107 = T23 * s5_m
+    v108 = v20 * v65
+    v109 = v21 * v65
+    v110 = s5_p * v46
+    v111 = s5_m * v46
+    v112 = T13 * s5_p
+    v113 = T13 * s5_m
+    v114 = v20 * v51
+    v115 = v21 * v51
+    s3_pp = (
+        (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 + (c6_pp * (v81
+        - v88) + v42 * (v83 + v90)))) / -a3
+    )
+    s3_pm = (
+        (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 + (c6_pm * (v81
+        + v88) + v43 * (v83 - v90)))) / -a3
+    )
+    s3_mp = (
+        (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 + (c6_mp * (v81 -
+        v89) + v44 * (v83 + v91)))) / -a3
+    )
+    s3_mm = (
+        (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 + (c6_mm * (v81 +
+        v89) + v45 * (v83 - v91)))) / -a3
+    )
+    v116 = (
+        a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp * v110 - v42 *
+        v112))) / -a3
+    )
+    v117 = (
+        a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43 * v112 -
+        v114)) / -a3
+    )
+    v118 = (
+        a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111 - v44 *
+        v113))) / -a3
+    )
+    v119 = (
+        a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 * v113 - v115)) /
+        -a3
+    )
+    angle1___________ = _atan2(s3_pp, -v116)
+    angle1____________ = _atan2(s3_pm, -v117)
+    angle1_____________ = _atan2(s3_mp, -v118)
+    angle1______________ = _atan2(s3_mm, -v119)
+    q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
+    q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
+    q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
+    q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
+
+    # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
+    v120 = c7 * T31 - s7 * T32
+    v121 = s4_p * v120
+    v122 = v9 * v120
+    v123 = T33 * c4_p
+    v124 = T33 * c4_m
+    v125 = T33 * s4_p
+    v126 = T33 * v9
+    v127 = c4_p * v120
+    v128 = c4_m * v120
+    v129 = c7 * T32 + s7 * T31
+    v130 = s5_p * (s4_p * v129)
+    v131 = s5_m * (v9 * v129)
+    v132 = v20 * v121
+    v133 = v21 * v122
+    v134 = v20 * v125
+    v135 = v21 * v126
+    v136 = s5_p * (c4_p * v129)
+    v137 = s5_m * (c4_m * v129)
+    v138 = v20 * v127
+    v139 = v21 * v128
+    v140 = v20 * v123
+    v141 = v21 * v124
+    v142 = s5_p * v120
+    v143 = s5_m * v120
+    v144 = T33 * s5_p
+    v145 = T33 * s5_m
+    v146 = v20 * v129
+    v147 = v21 * v129
+    angle1_______________ = (
+        _atan2(1.0 / math.sqrt(v76) * (v116 * (v136 + (c6_pp * (v125 - v138) + v42 * (v121 + v140)))
+        + s3_pp * (v146 + (c6_pp * v142 - v42 * v144))), v130 - (c6_pp * (v123 + v132) + v42 * (v127
+        - v134)))
+    )
+    angle1________________ = (
+        _atan2(1.0 / math.sqrt(v77) * (v117 * (v136 + (c6_pm * (v125 + v138) + v43 * (v121 - v140)))
+        + s3_pm * (c6_pm * v142 - v43 * v144 - v146)), v130 - (c6_pm * (v123 - v132) + v43 * (v127 +
+        v134)))
+    )
+    angle1_________________ = (
+        _atan2(1.0 / math.sqrt(v78) * (v118 * (v137 + (v44 * (v141 - v122) - c6_mp * (v126 + v139)))
+        + s3_mp * (v147 + (c6_mp * v143 - v44 * v145))), -(v131 + (c6_mp * (v124 - v133) + v44 *
+        (v128 + v135))))
+    )
+    angle1__________________ = (
+        _atan2(1.0 / math.sqrt(v79) * (v119 * (v137 + (c6_mm * (v139 - v126) - v45 * (v122 + v141)))
+        + s3_mm * (c6_mm * v143 - v45 * v145 - v147)), -(v131 + (c6_mm * (v124 + v133) + v45 * (v128
+        - v135))))
+    )
+
+    # joint values
+    v148 = q4__p + (m4 if q4__p <= -half_turn else 0.0)
+    v149 = (m4 if -v10 <= -half_turn else 0.0) - v10
+    v150 = v148 < low4 or high4 < v148
+    v151 = v149 < low4 or high4 < v149
+    v152 = angle1_ < low5 or high5 < angle1_
+    v153 = q5_pmp < low5 or high5 < q5_pmp
+    v154 = angle1__ < low5 or high5 < angle1__
+    v155 = q5_mmp < low5 or high5 < q5_mmp
+    v156 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
+    v157 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
+    v158 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
+    v159 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+    v160 = v156 < low6 or high6 < v156
+    v161 = v157 < low6 or high6 < v157
+    v162 = v158 < low6 or high6 < v158
+    v163 = v159 < low6 or high6 < v159
+    q6_ppp = angle1___ if v160 else v156
+    q6_pmp = angle1____ if v161 else v157
+    q6_mpp = angle1_____ if v162 else v158
+    q6_mmp = angle1______ if v163 else v159
+    v164 = q_free[0] < low7 or high7 < q_free[0]
+    q4_ppp = v16 + v148
+    q4_mpp = v17 + v149
+    v165 = q_free[0] + (w4 - w4)
+    q7_ppp = v16 + v165
+    q7_mpp = v17 + v165
+    outside_ppp = (
+        v164 or (v160 or (v152 or (v150 or (angle1___________ < low3 or high3 < angle1___________ or
+        (angle1_______ < low1 or high1 < angle1_______ or (angle1_______________ < low2 or high2 <
+        angle1_______________))))))
+    )
+    outside_ppm = (
+        v164 or (v160 or (v152 or (v150 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
+        high1 < q1_ppm or (-angle1_______________ < low2 or high2 < -angle1_______________))))))
+    )
+    outside_pmp = (
+        v164 or (v161 or (v153 or (v150 or (angle1____________ < low3 or high3 < angle1____________
+        or (angle1________ < low1 or high1 < angle1________ or (angle1________________ < low2 or
+        high2 < angle1________________))))))
+    )
+    outside_pmm = (
+        v164 or (v161 or (v153 or (v150 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
+        high1 < q1_pmm or (-angle1________________ < low2 or high2 < -angle1________________))))))
+    )
+    outside_mpp = (
+        v164 or (v162 or (v154 or (v151 or (angle1_____________ < low3 or high3 <
+        angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
+        (angle1_________________ < low2 or high2 < angle1_________________))))))
+    )
+    outside_mpm = (
+        v164 or (v162 or (v154 or (v151 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
+        high1 < q1_mpm or (-angle1_________________ < low2 or high2 < -angle1_________________))))))
+    )
+    outside_mmp = (
+        v164 or (v163 or (v155 or (v151 or (angle1______________ < low3 or high3 <
+        angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
+        (angle1__________________ < low2 or high2 < angle1__________________))))))
+    )
+    outside_mmm = (
+        v164 or (v163 or (v155 or (v151 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
+        high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
+        -angle1__________________))))))
+    )
+    doubt = (
+        v41 <= m2 or v79 <= m3 or (v40 <= m2 or v78 <= m3 or (v39 <= m2 or v77 <= m3 or (v38 <= m2
+        or v76 <= m3 or (free5_m or -(reach_slack1 * (reach_slack1 + v14)) <= D5_m and (free5_m or
+        not (v15 < D5_m)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
+        (merge_slack2 + v4) < D4) or (free5_p or -(reach_slack1 * (reach_slack1 + v14)) <= D5_p and
+        (free5_p or not (v15 < D5_p))))))))
+    )
+    # a joint is free, or branches meet
+    if doubt:
+        return False
+    q[0, 0] = angle1_______
+    q[0, 1] = angle1_______________
+    q[0, 2] = angle1___________
+    q[0, 3] = q4_ppp
+    q[0, 4] = angle1_
+    q[0, 5] = q6_ppp
+    q[0, 6] = q7_ppp
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppm
+    q[1, 1] = -angle1_______________
+    q[1, 2] = q3_ppm
+    q[1, 3] = q4_ppp
+    q[1, 4] = angle1_
+    q[1, 5] = q6_ppp
+    q[1, 6] = q7_ppp
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = angle1________
+    q[2, 1] = angle1________________
+    q[2, 2] = angle1____________
+    q[2, 3] = q4_ppp
+    q[2, 4] = q5_pmp
+    q[2, 5] = q6_pmp
+    q[2, 6] = q7_ppp
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_pmm
+    q[3, 1] = -angle1________________
+    q[3, 2] = q3_pmm
+    q[3, 3] = q4_ppp
+    q[3, 4] = q5_pmp
+    q[3, 5] = q6_pmp
+    q[3, 6] = q7_ppp
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = angle1_________
+    q[4, 1] = angle1_________________
+    q[4, 2] = angle1_____________
+    q[4, 3] = q4_mpp
+    q[4, 4] = angle1__
+    q[4, 5] = q6_mpp
+    q[4, 6] = q7_mpp
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpm
+    q[5, 1] = -angle1_________________
+    q[5, 2] = q3_mpm
+    q[5, 3] = q4_mpp
+    q[5, 4] = angle1__
+    q[5, 5] = q6_mpp
+    q[5, 6] = q7_mpp
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = angle1__________
+    q[6, 1] = angle1__________________
+    q[6, 2] = angle1______________
+    q[6, 3] = q4_mpp
+    q[6, 4] = q5_mmp
+    q[6, 5] = q6_mmp
+    q[6, 6] = q7_mpp
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mmm
+    q[7, 1] = -angle1__________________
+    q[7, 2] = q3_mmm
+    q[7, 3] = q4_mpp
+    q[7, 4] = q5_mmp
+    q[7, 5] = q6_mmp
+    q[7, 6] = q7_mpp
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
+
+
+@_jit
+def ik_into(T, q_free, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q_free: Values of the joints 7 (1,), float64.
+        q: Filled with joint values (8, 7), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (7,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (7,):
+        raise ValueError("q_seed must be (7,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
+
+
+def ik_all(T, q_free, q_seed=None):
+    """All solutions: q (8, 7) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_free: Values of the joints 7 (1,).
+        q_seed: Values for joints that are indeterminate at this pose (7,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((8, 7)), np.empty(8, _BYTE)
+    T = _array(T, (4, 4), "T")
+    q_free = _array(q_free, (1,), "q_free")
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    ik_into(T, q_free, q, status, seed)
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(7):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(7):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
+    """One solution (7,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_free: Values of the joints 7 (1,).
+        q_seed: Where the arm is (7,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 8) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_free, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation, or the value of a free joint not finite")
+    rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q_free, q, status):
+    seed = np.empty(7)
+    seed[:] = 0.0
+    for k in range(len(T)):
+        ik_into(T[k], q_free[k], q[k], status[k], seed)
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2656, 2688, 2720, 2752, 2784, 2816, 2848],
+    [2880, 2912, 2944, 2752, 2784, 2816, 2848],
+    [2976, 3008, 3040, 2752, 3072, 3104, 2848],
+    [3136, 3168, 3200, 2752, 3072, 3104, 2848],
+    [3232, 3264, 3296, 3328, 3360, 3392, 3424],
+    [3456, 3488, 3520, 3328, 3360, 3392, 3424],
+    [3552, 3584, 3616, 3328, 3648, 3680, 3424],
+    [3712, 3744, 3776, 3328, 3648, 3680, 3424],
+])
+_KINDS = np.array([3808, 3840, 3872, 3904, 3936, 3968, 4000, 4032])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q_free, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(4064)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+            for i in range(1):
+                work[(16 + i) * 32 + k] = q_free[first + k, i]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+            )
+            exact = miss <= 1e-24
+            work[544 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            given1 = work[512 + k]
+            v1 = d7 * T13 - T14
+            v2 = d7 * T23 - T24
+            v3 = d1 - (T34 - d7 * T33)
+            w2x = v1 * T11 + v2 * T21 + v3 * T31
+            w2y = v1 * T12 + v2 * T22 + v3 * T32
+            w2z = T13 * v1 + T23 * v2 + T33 * v3
+            v81 = d5 * T23
+            v82 = a4 * T23
+            v93 = d5 * T13
+            v94 = a4 * T13
+            v164 = given1 < low7 or high7 < given1
+            work[576 + k] = v1
+            work[608 + k] = v2
+            work[640 + k] = w2x
+            work[672 + k] = w2y
+            work[704 + k] = w2z
+            work[736 + k] = v81
+            work[768 + k] = v82
+            work[800 + k] = v93
+            work[832 + k] = v94
+            work[864 + k] = v164
+            work[896 + k] = given1
+            work[928 + k] = given1
+        for k in range(896, 928):
+            work[k] = math.sin(work[k])
+        for k in range(928, 960):
+            work[k] = math.cos(work[k])
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            given1 = work[512 + k]
+            v1 = work[576 + k]
+            v2 = work[608 + k]
+            w2x = work[640 + k]
+            w2y = work[672 + k]
+            w2z = work[704 + k]
+            v81 = work[736 + k]
+            v82 = work[768 + k]
+            v93 = work[800 + k]
+            v94 = work[832 + k]
+            s7 = work[896 + k]
+            c7 = work[928 + k]
+            Z4 = (
+                c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
+                w2z - k3)))
+            )
+            D4 = k4 - Z4 * Z4
+            v4 = 2.0 * abs(Z4)
+            w4 = math.sqrt(D4)
+            v5 = k1 * Z4
+            v6 = k2 * Z4
+            v7 = k1 * w4
+            c4_p = k5 * (v6 + v7)
+            c4_m = k5 * (v6 - v7)
+            v8 = k2 * w4
+            s4_p = k5 * (v8 - v5)
+            v9 = k5 * (v5 + v8)
+            v11 = a3 * c4_p + d3 * s4_p - a4
+            v12 = a3 * c4_m - d3 * v9 - a4
+            Z5 = c7 * w2y + s7 * w2x
+            N5_p = -v11 * -v11
+            N5_m = -v12 * -v12
+            v13 = Z5 * Z5
+            D5_p = N5_p - v13
+            D5_m = N5_m - v13
+            free5_p = N5_p <= free_limit_squared2
+            free5_m = N5_m <= free_limit_squared2
+            v14 = 2.0 * abs(Z5)
+            v15 = merge_slack1 * (merge_slack1 + v14)
+            w5_p = math.sqrt(D5_p)
+            w5_m = math.sqrt(D5_m)
+            v16 = w5_p - w5_p
+            v17 = w5_m - w5_m
+            inverse5_p = 1.0 / N5_p
+            inverse5_m = 1.0 / N5_m
+            v18 = -v11 * w5_p
+            v19 = -v12 * w5_m
+            v20 = inverse5_p * v18
+            v21 = inverse5_m * v19
+            v22 = Z5 * -v11
+            v23 = Z5 * -v12
+            s5_p = inverse5_p * v22
+            s5_m = inverse5_m * v23
+            v24 = v11 * v20
+            v25 = v12 * v21
+            Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p)
+            Y1_6_m = d5 + (d3 * c4_m + a3 * v9)
+            Z2_6 = a6 + (c7 * w2x - s7 * w2y)
+            v26 = Y1_6_p * Z2_6
+            v27 = Y1_6_m * Z2_6
+            v28 = w2z * v24
+            v29 = w2z * v25
+            v30 = v26 - v28
+            v31 = v26 + v28
+            v32 = v27 - v29
+            v33 = v27 + v29
+            v34 = w2z * Y1_6_p
+            v35 = w2z * Y1_6_m
+            v36 = v24 * Z2_6
+            v37 = v25 * Z2_6
+            C6_pp = v34 + v36
+            C6_pm = v34 - v36
+            C6_mp = v35 + v37
+            C6_mm = v35 - v37
+            v38 = v30 * v30 + C6_pp * C6_pp
+            v39 = v31 * v31 + C6_pm * C6_pm
+            v40 = v32 * v32 + C6_mp * C6_mp
+            v41 = v33 * v33 + C6_mm * C6_mm
+            factor6_pp = 1.0 / math.sqrt(v38)
+            factor6_pm = 1.0 / math.sqrt(v39)
+            factor6_mp = 1.0 / math.sqrt(v40)
+            factor6_mm = 1.0 / math.sqrt(v41)
+            c6_pp = C6_pp * factor6_pp
+            c6_pm = C6_pm * factor6_pm
+            c6_mp = C6_mp * factor6_mp
+            c6_mm = C6_mm * factor6_mm
+            v42 = v30 * factor6_pp
+            v43 = v31 * factor6_pm
+            v44 = v32 * factor6_mp
+            v45 = v33 * factor6_mm
+            v46 = c7 * T11 - s7 * T12
+            v47 = T13 * c4_p
+            v48 = T13 * c4_m
+            v49 = c4_p * v46
+            v50 = c4_m * v46
+            v51 = c7 * T12 + s7 * T11
+            v52 = s5_p * (s4_p * v51)
+            v53 = s5_m * (v9 * v51)
+            v54 = v20 * (s4_p * v46)
+            v55 = v21 * (v9 * v46)
+            v56 = v20 * (T13 * s4_p)
+            v57 = v21 * (T13 * v9)
+            X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56))
+            X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56))
+            v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57))
+            v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57))
+            v60 = c7 * T21 - s7 * T22
+            v61 = T23 * c4_p
+            v62 = T23 * c4_m
+            v63 = c4_p * v60
+            v64 = c4_m * v60
+            v65 = c7 * T22 + s7 * T21
+            v66 = s5_p * (s4_p * v65)
+            v67 = s5_m * (v9 * v65)
+            v68 = v20 * (s4_p * v60)
+            v69 = v21 * (v9 * v60)
+            v70 = v20 * (T23 * s4_p)
+            v71 = v21 * (T23 * v9)
+            v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70))
+            v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70))
+            v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71))
+            v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71))
+            v76 = X1_pp * X1_pp + v72 * v72
+            v77 = X1_pm * X1_pm + v73 * v73
+            v78 = v58 * v58 + v74 * v74
+            v79 = v59 * v59 + v75 * v75
+            v80 = a4 * v60
+            v83 = d5 * v60
+            v84 = a4 * v65
+            v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+            v86 = s5_p * v84 - v85
+            v87 = s5_m * v84 - v85
+            v88 = v20 * v80
+            v89 = v21 * v80
+            v90 = v20 * v82
+            v91 = v21 * v82
+            v92 = a4 * v46
+            v95 = d5 * v46
+            v96 = a4 * v51
+            v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+            v98 = s5_p * v96 - v97
+            v99 = s5_m * v96 - v97
+            v100 = v20 * v92
+            v101 = v21 * v92
+            v102 = v20 * v94
+            v103 = v21 * v94
+            v104 = s5_p * v60
+            v105 = s5_m * v60
+            v106 = T23 * s5_p
+            v107 = T23 * s5_m
+            v108 = v20 * v65
+            v109 = v21 * v65
+            v110 = s5_p * v46
+            v111 = s5_m * v46
+            v112 = T13 * s5_p
+            v113 = T13 * s5_m
+            v114 = v20 * v51
+            v115 = v21 * v51
+            s3_pp = (
+                (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 + (c6_pp
+                * (v81 - v88) + v42 * (v83 + v90)))) / -a3
+            )
+            s3_pm = (
+                (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 + (c6_pm
+                * (v81 + v88) + v43 * (v83 - v90)))) / -a3
+            )
+            s3_mp = (
+                (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 + (c6_mp *
+                (v81 - v89) + v44 * (v83 + v91)))) / -a3
+            )
+            s3_mm = (
+                (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 + (c6_mm *
+                (v81 + v89) + v45 * (v83 - v91)))) / -a3
+            )
+            v116 = (
+                a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp * v110 -
+                v42 * v112))) / -a3
+            )
+            v117 = (
+                a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43 *
+                v112 - v114)) / -a3
+            )
+            v118 = (
+                a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111 - v44
+                * v113))) / -a3
+            )
+            v119 = (
+                a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 * v113 -
+                v115)) / -a3
+            )
+            v120 = c7 * T31 - s7 * T32
+            v121 = s4_p * v120
+            v122 = v9 * v120
+            v123 = T33 * c4_p
+            v124 = T33 * c4_m
+            v125 = T33 * s4_p
+            v126 = T33 * v9
+            v127 = c4_p * v120
+            v128 = c4_m * v120
+            v129 = c7 * T32 + s7 * T31
+            v130 = s5_p * (s4_p * v129)
+            v131 = s5_m * (v9 * v129)
+            v132 = v20 * v121
+            v133 = v21 * v122
+            v134 = v20 * v125
+            v135 = v21 * v126
+            v136 = s5_p * (c4_p * v129)
+            v137 = s5_m * (c4_m * v129)
+            v138 = v20 * v127
+            v139 = v21 * v128
+            v140 = v20 * v123
+            v141 = v21 * v124
+            v142 = s5_p * v120
+            v143 = s5_m * v120
+            v144 = T33 * s5_p
+            v145 = T33 * s5_m
+            v146 = v20 * v129
+            v147 = v21 * v129
+            v165 = given1 + (w4 - w4)
+            q7_ppp = v16 + v165
+            q7_mpp = v17 + v165
+            doubt = (
+                v41 <= m2 or v79 <= m3 or (v40 <= m2 or v78 <= m3 or (v39 <= m2 or v77 <= m3 or (v38
+                <= m2 or v76 <= m3 or (free5_m or -(reach_slack1 * (reach_slack1 + v14)) <= D5_m and
+                (free5_m or not (v15 < D5_m)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and
+                not (merge_slack2 * (merge_slack2 + v4) < D4) or (free5_p or -(reach_slack1 *
+                (reach_slack1 + v14)) <= D5_p and (free5_p or not (v15 < D5_p))))))))
+            )
+            work[960 + k] = v16
+            work[992 + k] = v17
+            work[1024 + k] = v22
+            work[1056 + k] = v23
+            work[1088 + k] = v72
+            work[1120 + k] = v73
+            work[1152 + k] = v74
+            work[1184 + k] = v75
+            work[1216 + k] = s3_pp
+            work[1248 + k] = s3_pm
+            work[1280 + k] = s3_mp
+            work[1312 + k] = s3_mm
+            work[1344 + k] = q7_ppp
+            work[1376 + k] = q7_mpp
+            work[1408 + k] = doubt
+            work[1440 + k] = w4
+            work[1472 + k] = v22
+            work[1504 + k] = v23
+            work[1536 + k] = -v30
+            work[1568 + k] = -v31
+            work[1600 + k] = -v32
+            work[1632 + k] = -v33
+            work[1664 + k] = -v72
+            work[1696 + k] = -v73
+            work[1728 + k] = v74
+            work[1760 + k] = v75
+            work[1792 + k] = s3_pp
+            work[1824 + k] = s3_pm
+            work[1856 + k] = s3_mp
+            work[1888 + k] = s3_mm
+            work[1920 + k] = (
+                1.0 / math.sqrt(v76) * (v116 * (v136 + (c6_pp * (v125 - v138) + v42 * (v121 +
+                v140))) + s3_pp * (v146 + (c6_pp * v142 - v42 * v144)))
+            )
+            work[1952 + k] = (
+                1.0 / math.sqrt(v77) * (v117 * (v136 + (c6_pm * (v125 + v138) + v43 * (v121 -
+                v140))) + s3_pm * (c6_pm * v142 - v43 * v144 - v146))
+            )
+            work[1984 + k] = (
+                1.0 / math.sqrt(v78) * (v118 * (v137 + (v44 * (v141 - v122) - c6_mp * (v126 +
+                v139))) + s3_mp * (v147 + (c6_mp * v143 - v44 * v145)))
+            )
+            work[2016 + k] = (
+                1.0 / math.sqrt(v79) * (v119 * (v137 + (c6_mm * (v139 - v126) - v45 * (v122 +
+                v141))) + s3_mm * (c6_mm * v143 - v45 * v145 - v147))
+            )
+            work[2048 + k] = Z4
+            work[2080 + k] = -v18
+            work[2112 + k] = -v19
+            work[2144 + k] = C6_pp
+            work[2176 + k] = C6_pm
+            work[2208 + k] = C6_mp
+            work[2240 + k] = C6_mm
+            work[2272 + k] = -X1_pp
+            work[2304 + k] = -X1_pm
+            work[2336 + k] = v58
+            work[2368 + k] = v59
+            work[2400 + k] = -v116
+            work[2432 + k] = -v117
+            work[2464 + k] = -v118
+            work[2496 + k] = -v119
+            work[2528 + k] = v130 - (c6_pp * (v123 + v132) + v42 * (v127 - v134))
+            work[2560 + k] = v130 - (c6_pm * (v123 - v132) + v43 * (v127 + v134))
+            work[2592 + k] = -(v131 + (c6_mp * (v124 - v133) + v44 * (v128 + v135)))
+            work[2624 + k] = -(v131 + (c6_mm * (v124 + v133) + v45 * (v128 - v135)))
+        for k in range(1440, 2048):
+            work[k] = _atan2(work[k], work[k + 608])
+        for k in range(0, 32):
+            v164 = work[864 + k] != 0.0
+            v16 = work[960 + k]
+            v17 = work[992 + k]
+            v22 = work[1024 + k]
+            v23 = work[1056 + k]
+            v72 = work[1088 + k]
+            v73 = work[1120 + k]
+            v74 = work[1152 + k]
+            v75 = work[1184 + k]
+            s3_pp = work[1216 + k]
+            s3_pm = work[1248 + k]
+            s3_mp = work[1280 + k]
+            s3_mm = work[1312 + k]
+            q7_ppp = work[1344 + k]
+            q7_mpp = work[1376 + k]
+            doubt = work[1408 + k] != 0.0
+            angle1 = work[1440 + k]
+            angle1_ = work[1472 + k]
+            angle1__ = work[1504 + k]
+            angle1___ = work[1536 + k]
+            angle1____ = work[1568 + k]
+            angle1_____ = work[1600 + k]
+            angle1______ = work[1632 + k]
+            angle1_______ = work[1664 + k]
+            angle1________ = work[1696 + k]
+            angle1_________ = work[1728 + k]
+            angle1__________ = work[1760 + k]
+            angle1___________ = work[1792 + k]
+            angle1____________ = work[1824 + k]
+            angle1_____________ = work[1856 + k]
+            angle1______________ = work[1888 + k]
+            angle1_______________ = work[1920 + k]
+            angle1________________ = work[1952 + k]
+            angle1_________________ = work[1984 + k]
+            angle1__________________ = work[2016 + k]
+            q4__p = angle1 - turn1
+            v10 = turn1 + angle1
+            q5_pmp = math.copysign(half_turn, v22) * h1 - angle1_
+            q5_mmp = math.copysign(half_turn, v23) * h1 - angle1__
+            q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v72)
+            q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v73)
+            q1_mpm = angle1_________ - h1 * math.copysign(half_turn, v74)
+            q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v75)
+            q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
+            q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
+            q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
+            q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
+            v148 = q4__p + (m4 if q4__p <= -half_turn else 0.0)
+            v149 = (m4 if -v10 <= -half_turn else 0.0) - v10
+            v150 = v148 < low4 or high4 < v148
+            v151 = v149 < low4 or high4 < v149
+            v152 = angle1_ < low5 or high5 < angle1_
+            v153 = q5_pmp < low5 or high5 < q5_pmp
+            v154 = angle1__ < low5 or high5 < angle1__
+            v155 = q5_mmp < low5 or high5 < q5_mmp
+            v156 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
+            v157 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
+            v158 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
+            v159 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+            v160 = v156 < low6 or high6 < v156
+            v161 = v157 < low6 or high6 < v157
+            v162 = v158 < low6 or high6 < v158
+            v163 = v159 < low6 or high6 < v159
+            q6_ppp = angle1___ if v160 else v156
+            q6_pmp = angle1____ if v161 else v157
+            q6_mpp = angle1_____ if v162 else v158
+            q6_mmp = angle1______ if v163 else v159
+            q4_ppp = v16 + v148
+            q4_mpp = v17 + v149
+            outside_ppp = (
+                v164 or (v160 or (v152 or (v150 or (angle1___________ < low3 or high3 <
+                angle1___________ or (angle1_______ < low1 or high1 < angle1_______ or
+                (angle1_______________ < low2 or high2 < angle1_______________))))))
+            )
+            outside_ppm = (
+                v164 or (v160 or (v152 or (v150 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
+                low1 or high1 < q1_ppm or (-angle1_______________ < low2 or high2 <
+                -angle1_______________))))))
+            )
+            outside_pmp = (
+                v164 or (v161 or (v153 or (v150 or (angle1____________ < low3 or high3 <
+                angle1____________ or (angle1________ < low1 or high1 < angle1________ or
+                (angle1________________ < low2 or high2 < angle1________________))))))
+            )
+            outside_pmm = (
+                v164 or (v161 or (v153 or (v150 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
+                low1 or high1 < q1_pmm or (-angle1________________ < low2 or high2 <
+                -angle1________________))))))
+            )
+            outside_mpp = (
+                v164 or (v162 or (v154 or (v151 or (angle1_____________ < low3 or high3 <
+                angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
+                (angle1_________________ < low2 or high2 < angle1_________________))))))
+            )
+            outside_mpm = (
+                v164 or (v162 or (v154 or (v151 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
+                low1 or high1 < q1_mpm or (-angle1_________________ < low2 or high2 <
+                -angle1_________________))))))
+            )
+            outside_mmp = (
+                v164 or (v163 or (v155 or (v151 or (angle1______________ < low3 or high3 <
+                angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
+                (angle1__________________ < low2 or high2 < angle1__________________))))))
+            )
+            outside_mmm = (
+                v164 or (v163 or (v155 or (v151 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
+                low1 or high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
+                -angle1__________________))))))
+            )
+            _2656 = angle1_______
+            work[2656 + k] = _2656
+            _2688 = angle1_______________
+            work[2688 + k] = _2688
+            _2720 = angle1___________
+            work[2720 + k] = _2720
+            _2752 = q4_ppp
+            work[2752 + k] = _2752
+            _2784 = angle1_
+            work[2784 + k] = _2784
+            _2816 = q6_ppp
+            work[2816 + k] = _2816
+            _2848 = q7_ppp
+            work[2848 + k] = _2848
+            _2880 = q1_ppm
+            work[2880 + k] = _2880
+            _2912 = -angle1_______________
+            work[2912 + k] = _2912
+            _2944 = q3_ppm
+            work[2944 + k] = _2944
+            _2976 = angle1________
+            work[2976 + k] = _2976
+            _3008 = angle1________________
+            work[3008 + k] = _3008
+            _3040 = angle1____________
+            work[3040 + k] = _3040
+            _3072 = q5_pmp
+            work[3072 + k] = _3072
+            _3104 = q6_pmp
+            work[3104 + k] = _3104
+            _3136 = q1_pmm
+            work[3136 + k] = _3136
+            _3168 = -angle1________________
+            work[3168 + k] = _3168
+            _3200 = q3_pmm
+            work[3200 + k] = _3200
+            _3232 = angle1_________
+            work[3232 + k] = _3232
+            _3264 = angle1_________________
+            work[3264 + k] = _3264
+            _3296 = angle1_____________
+            work[3296 + k] = _3296
+            _3328 = q4_mpp
+            work[3328 + k] = _3328
+            _3360 = angle1__
+            work[3360 + k] = _3360
+            _3392 = q6_mpp
+            work[3392 + k] = _3392
+            _3424 = q7_mpp
+            work[3424 + k] = _3424
+            _3456 = q1_mpm
+            work[3456 + k] = _3456
+            _3488 = -angle1_________________
+            work[3488 + k] = _3488
+            _3520 = q3_mpm
+            work[3520 + k] = _3520
+            _3552 = angle1__________
+            work[3552 + k] = _3552
+            _3584 = angle1__________________
+            work[3584 + k] = _3584
+            _3616 = angle1______________
+            work[3616 + k] = _3616
+            _3648 = q5_mmp
+            work[3648 + k] = _3648
+            _3680 = q6_mmp
+            work[3680 + k] = _3680
+            _3712 = q1_mmm
+            work[3712 + k] = _3712
+            _3744 = -angle1__________________
+            work[3744 + k] = _3744
+            _3776 = q3_mmm
+            work[3776 + k] = _3776
+            work[3808 + k] = (
+                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[3840 + k] = (
+                UNREACHABLE if _2880 != _2880 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[3872 + k] = (
+                UNREACHABLE if _2976 != _2976 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[3904 + k] = (
+                UNREACHABLE if _3136 != _3136 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[3936 + k] = (
+                UNREACHABLE if _3232 != _3232 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[3968 + k] = (
+                UNREACHABLE if _3456 != _3456 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[4000 + k] = (
+                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[4032 + k] = (
+                UNREACHABLE if _3712 != _3712 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[544 + k] = 1.0 if doubt else work[544 + k]
+        for k in range(count):
+            if work[544 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(7):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
+
+
+def ik_batch(T, q_free, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 8, 7) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
+    q_free = _array(q_free, (len(T), 1), "q_free")
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q_free, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+        return q, status
+    _share(_one_by_one, cores, T, q_free, q, status)
+    return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

@@ -1,0 +1,756 @@
+/* parallel_123: Arm whose axes 1, 2 and 3 are parallel
+ *
+ * Inverse kinematics, generated from robots/parallel_123.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
+ * parallel_123.md.
+ */
+#include "parallel_123.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+static double horner(const double p[5], double t)
+{
+    return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
+}
+
+/* The root between two points with values of unlike sign. */
+static double bracketed(const double p[5], double low, double high, double at_low)
+{
+    double t = 0.5 * (low + high);
+    for (int k = 0; k < 100; k++) {
+        const double value = horner(p, t);
+        const double slope = ((4.0 * p[4] * t + 3.0 * p[3]) * t + 2.0 * p[2]) * t + p[1];
+        if ((value < 0.0) == (at_low < 0.0))
+            low = t;
+        else
+            high = t;
+        double following = slope != 0.0 ? t - value / slope : low;
+        if (!(low < following && following < high))
+            following = 0.5 * (low + high);
+        if (fabs(following - t) <= 2e-16 * fabs(t))
+            return following;
+        t = following;
+    }
+    return t;
+}
+
+/* Roots of a polynomial that is monotone between neighbouring edges. */
+static int between(const double p[5], const double *edges, int count, double tolerance, double
+    *found)
+{
+    int roots = 0;
+    double before = edges[0], at_before = horner(p, edges[0]);
+    for (int k = 1; k < count; k++) {
+        const double edge = edges[k], size = 1.0 + edge * edge;
+        double value = horner(p, edge);
+        if (k < count - 1 && fabs(value) <= tolerance * size * size)
+            value = 0.0;
+        if (at_before * value < 0.0)
+            found[roots++] = bracketed(p, before, edge, at_before);
+        else if (!(value < 0.0 || value > 0.0) && k < count - 1)
+            found[roots++] = edge;
+        before = edge;
+        at_before = value;
+    }
+    return roots;
+}
+
+/* Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+ * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+ * leading
+ * coefficient; its roots lie between those of its derivative, those between the roots of the
+ * second. */
+static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
+{
+    const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
+    double best = -1.0, apart = 0.0, edges[5], extrema[4];
+    int count = 0;
+    x[0] = x[1] = x[2] = x[3] = NAN;
+    if (!(size > 0.0 && isfinite(size)))
+        return;
+    for (int k = 0; k < 16; k++) {
+        const double at = turn * k / 16, c = cos(at), s = sin(at);
+        const double value = fabs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s);
+        if (value > best) {
+            best = value;
+            apart = at;
+        }
+    }
+    const double c = -cos(apart), s = -sin(apart), c2 = c * c - s * s, s2 = 2.0 * c * s;
+    const double u1 = a1 * c + b1 * s, v1 = b1 * c - a1 * s;
+    const double u2 = a2 * c2 + b2 * s2, v2 = b2 * c2 - a2 * s2;
+    const double lead = a0 - u1 + u2;
+    const double p[5] = { (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead,
+        2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead, 1.0 };
+    const double slope[5] = { p[1], 2.0 * p[2], 3.0 * p[3], 4.0, 0.0 };
+    const double bound = 1.0 + fmax(fmax(fabs(p[0]), fabs(p[1])), fmax(fabs(p[2]), fabs(p[3])));
+    const double half = 0.25 * p[3], square = half * half - p[2] / 6.0;
+    edges[0] = -bound;
+    if (square > 0.0) {
+        edges[1] = -half - sqrt(square);
+        edges[2] = -half + sqrt(square);
+        count = 2;
+    }
+    edges[count + 1] = bound;
+    count = between(slope, edges, count + 2, 0.0, extrema);
+    for (int k = 0; k < count; k++)
+        edges[k + 1] = extrema[k];
+    edges[count + 1] = bound;
+    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    for (int k = 0; k < count; k++) {
+        double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
+        const double ca = cos(at), sa = sin(at);
+        const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
+        if (fabs(rate) > 0.0001 * size)
+            at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
+        at -= turn * ceil(at / turn - 0.5);
+        int place = k;
+        for (; place > 0 && x[place - 1] > at; place--)
+            x[place] = x[place - 1];
+        x[place] = at;
+    }
+}
+
+static const double a1 = 0.3; /* link length 1 [m] */
+static const double a2 = 0.25; /* link length 2 [m] */
+static const double a3 = 0.1; /* link length 3 [m] */
+static const double d4 = 0.2; /* joint offset 4 [m] */
+static const double a4 = 0.1; /* link length 4 [m] */
+static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
+static const double d5 = 0.15; /* joint offset 5 [m] */
+static const double a5 = 0.12; /* link length 5 [m] */
+static const double ca5 = 0.17364817766693041; /* cosine of twist 5 */
+static const double sa5 = 0.984807753012208; /* sine of twist 5 */
+static const double d6 = 0.1; /* joint offset 6 [m] */
+static const double a6 = 0.05; /* link length 6 [m] */
+static const double near_limit = 0.001; /* a length whose direction is good to few digits */
+/* a polynomial's value at a root, relative to its coefficients */
+static const double double_root = 1e-13;
+static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+static const double longest2 = 0.30250000000000005; /* square of the longest reach [m^2] */
+static const double shortest2 = 0.0024999999999999988; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest2_reach = 0.302500000000176;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest2_reach = 0.0024999999999839994;
+/* the longest, where branches merge [m^2] */
+static const double longest2_apart = 0.30249999999998245;
+/* the shortest, where branches merge [m^2] */
+static const double shortest2_apart = 0.002500000000001599;
+/* square of a length that fixes no angle [m^2] */
+static const double free_limit_squared2 = 2.5599999999999994e-24;
+static const double k1 = 0.5; /* 1 / 2 */
+static const double k2 = 0.8660254037844386; /* sqrt3 * 1 / 2 */
+static const double k3 = 0.12604722665003956; /* d5 * ca5 + d6 [m] */
+static const double k4 = 0.23; /* d1 + (d2 + d3) [m] */
+static const double k5 = 0.1477211629518312; /* sa5 * d5 [m] */
+static const double k6 = 0.08660254037844387; /* sqrt3 * 1 / 2 * a4 [m] */
+static const double k7 = 0.0075; /* (sqrt3 * 1 / 2 * a4)^2 [m^2] */
+static const double k8 = 0.8528685319524432; /* sa5 * sqrt3 * 1 / 2 */
+static const double k9 = 1.1906015685221298; /* 1 / (sa5 * sqrt3 * 1 / 2 * sa5) */
+static const double k10 = 0.008682408883346522; /* a6 * ca5 [m] */
+static const double k11 = 0.0984807753012208; /* d6 * sa5 [m] */
+static const double k12 = 0.2; /* 2 * a4 [m] */
+static const double k13 = 0.0492403876506104; /* a6 * sa5 [m] */
+static const double k14 = 0.16736481776669304; /* d5 + d6 * ca5 [m] */
+static const double k15 = 0.567364817766693; /* d4 * 2 + (d5 + d6 * ca5) [m] */
+static const double k16 = 0.1525; /* a1^2 + a2^2 [m^2] */
+static const double k17 = 6.666666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+static const double k18 = 0.55; /* d4 * 2 + d5 [m] */
+static const double k19 = 0.25980762113533157; /* d5 * sqrt3 [m] */
+static const double f1 = 0.23; /* d1 + d2 + d3 [m] */
+static const double f2 = 0.5; /* 1 / 2 */
+static const double f3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double g1 = 0.23; /* d1 + d2 + d3 [m] */
+static const double g2 = 0.5; /* 1 / 2 */
+static const double g3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+
+const char *const parallel_123_branches[8] = {
+    "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
+    "root4-up",
+};
+
+static const double lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+void parallel_123_fk(const double q[6], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4;
+    const double x4_y = x3_y * c4;
+    const double v1 = x3_x * s4;
+    const double v2 = x3_y * s4;
+    const double y4_z = c4 * f2;
+    const double y4_x = x3_y * f3 - v1 * f2;
+    const double y4_y = -x3_x * f3 - v2 * f2;
+    const double v3 = c4 * f3;
+    const double z4_x = v1 * f3 + x3_y * f2;
+    const double z4_y = v2 * f3 + -x3_x * f2;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = s4 * c5 + y4_z * s5;
+    const double v4 = y4_x * c5 - x4_x * s5;
+    const double v5 = y4_y * c5 - x4_y * s5;
+    const double v6 = y4_z * c5 - s4 * s5;
+    const double y5_x = v4 * ca5 + z4_x * sa5;
+    const double y5_y = v5 * ca5 + z4_y * sa5;
+    const double y5_z = v6 * ca5 - v3 * sa5;
+    const double T13_ = z4_x * ca5 - v4 * sa5;
+    const double T23_ = z4_y * ca5 - v5 * sa5;
+    const double v7 = v6 * sa5 + v3 * ca5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6;
+    const double T21_ = x5_y * c6 + y5_y * s6;
+    const double T31_ = x5_z * c6 + y5_z * s6;
+    const double T12_ = y5_x * c6 - x5_x * s6;
+    const double T22_ = y5_y * c6 - x5_y * s6;
+    const double T32_ = y5_z * c6 - x5_z * s6;
+    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x *
+        d5 + T11_ * a6 + T13_ * d6;
+    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y
+        * d5 + T21_ * a6 + T23_ * d6;
+    const double T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = -v7; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void parallel_123_jacobian(const double q[6], double J[36])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2;
+    const double x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * a2;
+    const double p2_y = p1_y + x2_y * a2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3;
+    const double J44 = x2_y * c3 + x2_x * s3;
+    const double p3_x = p2_x + x3_x * a3;
+    const double p3_y = p2_y + J44 * a3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4;
+    const double x4_y = J44 * c4;
+    const double v1 = x3_x * s4;
+    const double v2 = J44 * s4;
+    const double p4_z = g1 + s4 * a4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
+    const double p4_y = p3_y + x4_y * a4 + -x3_x * d4;
+    const double y4_z = c4 * g2;
+    const double y4_x = J44 * g3 - v1 * g2;
+    const double y4_y = -x3_x * g3 - v2 * g2;
+    const double v3 = c4 * g3;
+    const double J45 = v1 * g3 + J44 * g2;
+    const double J55 = v2 * g3 + -x3_x * g2;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = s4 * c5 + y4_z * s5;
+    const double v4 = y4_x * c5 - x4_x * s5;
+    const double v5 = y4_y * c5 - x4_y * s5;
+    const double v6 = y4_z * c5 - s4 * s5;
+    const double p5_x = p4_x + x5_x * a5 + J45 * d5;
+    const double p5_y = p4_y + x5_y * a5 + J55 * d5;
+    const double p5_z = p4_z + x5_z * a5 - v3 * d5;
+    const double J46 = J45 * ca5 - v4 * sa5;
+    const double J56 = J55 * ca5 - v5 * sa5;
+    const double v7 = v6 * sa5 + v3 * ca5;
+    const double c6 = cos(q[5]);
+    const double s6 = sin(q[5]);
+    const double J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6;
+    const double p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6;
+    const double p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6;
+    const double J22 = J21 - p1_x;
+    const double J12 = p1_y - p6_y;
+    const double J23 = J21 - p2_x;
+    const double J13 = p2_y - p6_y;
+    const double v8 = p6_z - g1;
+    const double J14 = -x3_x * v8;
+    const double J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x);
+    const double v9 = J21 - p4_x;
+    const double v10 = p6_y - p4_y;
+    const double v11 = p6_z - p4_z;
+    const double J15 = J55 * v11 + v3 * v10;
+    const double J35 = J45 * v10 - J55 * v9;
+    const double v12 = J21 - p5_x;
+    const double v13 = p6_y - p5_y;
+    const double v14 = p6_z - p5_z;
+    const double J16 = J56 * v14 + v7 * v13;
+    const double J36 = J46 * v13 - J56 * v12;
+    J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
+    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(J44 * v8); J[10] = -(v3 * v9 + J45 * v11);
+    J[11] = -(v7 * v12 + J46 * v14);
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = J36;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = J44; J[22] = J45; J[23] = J46;
+    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = -x3_x; J[28] = J55; J[29] = J56;
+    J[30] = 1.0; J[31] = 1.0; J[32] = 1.0; J[33] = 0.0; J[34] = -v3; J[35] = -v7;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
+ * free, and the row's second value is its angle. */
+enum { LOST = 128, NEARLY = 192 };
+
+/* Fills the rows of the branches that have a solution, and no others. The first value of a row that
+ * is LOST says how far it is from a solution (negative). */
+static void solve(
+    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta6, type 9: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
+    const double R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34));
+    const double R1c6 = T31 * a5 + sa5 * (T32 * d5);
+    const double R1s6 = T31 * k5 - T32 * a5;
+    const double v1 = T33 * ca5;
+    const double v2 = T32 * sa5;
+    const double v3 = T31 * sa5;
+    const double v4 = a4 * v1;
+    const double v5 = a4 * v2;
+    const double v6 = a4 * v3;
+    const double v7 = k2 * R1_6;
+    const double v8 = k2 * R1c6;
+    const double v9 = k2 * R1s6;
+    const double v10 = v5 * v5;
+    const double v11 = v6 * v6;
+    const double v12 = 2.0 * v4;
+    const double v13 = v8 * v8;
+    const double v14 = v9 * v9;
+    const double v15 = 2.0 * v7;
+    const double v16 = v5 * v12 + v8 * v15;
+    const double v17 = v6 * v12 + v9 * v15;
+    const double v18 = k1 * (v10 - v11) + k1 * (v13 - v14);
+    const double v19 = v5 * v6 + v8 * v9;
+    const double v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7;
+    double x6_roots[4];
+    circle_roots(v20, v16, v17, v18, v19, x6_roots);
+    const double v23 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]);
+    const double v24 = 2.0 * (cos(seed[5]) * sin(seed[5]));
+    const double v25 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19);
+    const double v26 = 2.0 * v19;
+    const double v27 = 2.0 * v18;
+    const double v29 = v25 * near_limit;
+    const double v30 = v23 * v26 + (v17 * cos(seed[5]) - v16 * sin(seed[5])) - v24 * v27;
+    const int v31 = fabs(v20 + (v19 * v24 + (v18 * v23 + (v16 * cos(seed[5]) + v17 *
+        sin(seed[5]))))) <= v25 * double_root;
+
+    /* theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3] */
+    const double v32 = sa5 * T22;
+    const double v33 = sa5 * T21;
+    const double v34 = ca5 * T23;
+    const double v35 = sa5 * T12;
+    const double v36 = sa5 * T11;
+    const double v37 = ca5 * T13;
+    const double v38 = seed[0] + seed[1] + seed[2];
+
+    /* theta5, type 3: U3[3, 3] and U4[1, 3] */
+    const double v39 = 2.0 * T23;
+    const double v40 = 2.0 * T13;
+
+    /* theta2, type 8: U0[1, 4] and U0[2, 4] */
+    const double v52 = 2.0 * T14;
+    const double v53 = 2.0 * T24;
+
+    /* theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4] */
+    const double wy = T24 - a6 * T21 - d6 * T23;
+    const double v55 = 2.0 * wy;
+    const double wx = T14 - a6 * T11 - d6 * T13;
+    const double v56 = 2.0 * wx;
+
+    for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
+        const double x6 = x6_roots[i1];
+        /* theta6 */
+        if (!(x6 <= 4.0)) continue; /* out of reach */
+        const double v21 = cos(x6);
+        const double v22 = sin(x6);
+        const double v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 *
+            v22) * v27;
+        const int near6 = fabs(v28) <= v29;
+        const int same6 = -(double_root * (v25 * v25)) <= v28 * v30 && (0.0 < v21 * cos(seed[5]) +
+            v22 * sin(seed[5]) && (fabs(v21 * sin(seed[5]) - v22 * cos(seed[5])) <= near_limit &&
+            (near6 && v31)));
+        const double q6 = same6 ? seed[5] : x6;
+        const double c6 = cos(q6);
+        const double s6 = sin(q6);
+
+        /* theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
+        const double s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6;
+        const double c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6;
+        const double q4 = atan2(s4, c4);
+
+        /* theta123 */
+        const double X1_123 = k1 * (sqrt3 * s4);
+        const double Z1_123 = c6 * v32 + s6 * v33 + v34;
+        const double Z2_123 = c6 * v35 + s6 * v36 + v37;
+        const double S123 = X1_123 * Z1_123 + k1 * Z2_123;
+        const double C123 = X1_123 * Z2_123 - k1 * Z1_123;
+        const double w123 = sqrt(S123 * S123 + C123 * C123);
+        const int free123 = w123 <= free_limit_squared;
+        const double factor123 = 1.0 / (free123 ? 1.0 : w123);
+        const double c123 = free123 ? cos(v38) : C123 * factor123;
+        const double s123 = free123 ? sin(v38) : S123 * factor123;
+        const double theta123 = atan2(s123, c123);
+
+        /* theta5 */
+        const double s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9;
+        const double v41 = sa5 * (k1 * (s123 * v40 - c123 * v39 - ca5)) * k9;
+        const double q5 = atan2(s5, -v41);
+
+        /* theta2 */
+        const double v42 = a5 + a6 * c6;
+        const double v43 = s6 * k10 - k11;
+        const double v44 = c4 * (2.0 * v42) + s4 * -v43;
+        const double v45 = sqrt3 * v43;
+        const double v46 = c4 * (2.0 * v43) + s4 * v42;
+        const double v47 = sqrt3 * v42;
+        const double v48 = c4 * k12;
+        const double v49 = s6 * k13;
+        const double v50 = k12 + (v48 + s4 * (sqrt3 * (v49 + k14)));
+        const double v51 = v49 + k15;
+        const double Z1_2 = k1 * (v41 * (c123 * v44 + s123 * v45) + s5 * (c123 * v46 - s123 * v47) +
+            (v52 - (c123 * v50 + s123 * v51)));
+        const double Z2_2 = k1 * (s5 * (c123 * v47 + s123 * v46) - v41 * (c123 * v45 - s123 * v44) +
+            (c123 * v51 - s123 * v50 + v53));
+        const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
+        const double K2 = N2 - k16;
+        const double D2 = (longest2 - N2) * (N2 - shortest2);
+        const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
+        if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
+            if (near6) {
+                status[2 * i1] = NEARLY + 6;
+                q[2 * i1][0] = D2;
+                q[2 * i1][1] = q6;
+            }
+            if (free123) {
+                status[2 * i1] = LOST + 1;
+                q[2 * i1][0] = D2;
+            }
+            if (free123) {
+                status[2 * i1] = LOST + 2;
+                q[2 * i1][0] = D2;
+            }
+            if (free123) {
+                status[2 * i1] = LOST + 3;
+                q[2 * i1][0] = D2;
+            }
+            continue; /* out of reach */
+        }
+        const double w2 = sqrt(apart2 ? D2 : 0.0);
+        const double c2 = K2 * k17;
+
+        /* theta1 */
+        const double X1_1 = a1 + a2 * c2;
+        const double v54 = k12 + (v48 + s4 * k19);
+        const double Z1_1 = k1 * (v41 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 *
+            s123)) + (c123 * k18 - s123 * v54 + v55));
+        const double Z2_1 = k1 * (v41 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 *
+            s123)) + (v56 - (c123 * v54 + s123 * k18)));
+        const double v57 = X1_1 * Z1_1;
+        const double v58 = X1_1 * Z2_1;
+
+        for (int i2 = 0; i2 < 2; i2++) { /* down, up */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta2 */
+            if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+            const double s2 = w2 * e2 * k17;
+            const double q2 = atan2(s2, c2);
+
+            /* theta1 */
+            const double Y1_1 = a2 * s2;
+            const double S1 = v57 - Y1_1 * Z2_1;
+            const double C1 = v58 + Y1_1 * Z1_1;
+            const double w1 = sqrt(S1 * S1 + C1 * C1);
+            const int free1 = w1 <= free_limit_squared2;
+            const double factor1 = 1.0 / (free1 ? 1.0 : w1);
+            const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
+            const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+            const double q1 = atan2(s1, c1);
+
+            /* joint values */
+            const double q3 = wrap(theta123 - (q2 + q1));
+            const int free1_ = free123 || free1;
+            const int row = 2 * i1 + i2;
+            q[row][0] = q1;
+            q[row][1] = q2;
+            q[row][2] = q3;
+            q[row][3] = q4;
+            q[row][4] = q5;
+            q[row][5] = q6;
+            status[row] = (free1_ || free123 || free123) ? PARALLEL_123_FREE_JOINT :
+                PARALLEL_123_OK;
+        }
+    }
+}
+
+/* A row that was lost after a joint had been chosen, and what solving again needs. */
+struct search {
+    const double *T;
+    double seed[6], start, q[8][6];
+    unsigned char status[8];
+    int joint, row;
+};
+
+/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
+static double attempt(struct search *lost, double moved)
+{
+    lost->seed[lost->joint] = lost->start + moved;
+    for (int i = 0; i < 8; i++)
+        lost->status[i] = PARALLEL_123_UNREACHABLE;
+    solve(lost->T, lost->seed, lost->q, lost->status);
+    if (lost->status[lost->row] >= LOST)
+        return lost->q[lost->row][0];
+    return lost->status[lost->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Golden section for a move between low and high that serves; NaN if there is none. */
+static double summit(struct search *lost, double low, double high)
+{
+    for (int k = 0; k < 52; k++) {
+        const double third = 0.3819660112501051 * (high - low);
+        const double left = attempt(lost, low + third), right = attempt(lost, high - third);
+        if (left == 0.0 || right == 0.0)
+            return left == 0.0 ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    return NAN;
+}
+
+/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
+ * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
+ * what lies between two of them, bisection the end that is nearest to the seed. */
+static double serving_value(struct search *lost)
+{
+    const double step = turn / 64.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(lost, (double)(k + 1) * step);
+        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
+        if (here < 0.0 && here >= before && here > after)
+            outer = summit(lost, outer - step, outer + step);
+        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const double middle = 0.5 * (inner + outer);
+            if (attempt(lost, middle) == 0.0)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabs(outer) >= fabs(nearest)))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
+ * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
+ * from, `solve` takes it as it would take its own. */
+static double serving_digits(struct search *lost)
+{
+    for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
+        if (attempt(lost, moved) == 0.0)
+            return moved;
+        if (attempt(lost, -moved) == 0.0)
+            return -moved;
+    }
+    return NAN;
+}
+
+/* Another value for a joint that had been chosen, if one serves. */
+static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+{
+    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
+    *status = PARALLEL_123_UNREACHABLE;
+    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
+        nearest = NAN;
+    else
+        *status = lost->status[lost->row];
+    for (int i = 0; i < 6; i++)
+        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int parallel_123_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    static const double zeros[6] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    const int valid = read_pose(T, pose);
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? PARALLEL_123_UNREACHABLE : PARALLEL_123_INVALID_POSE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -PARALLEL_123_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] >= LOST) {
+            const int nearly = status[row] > NEARLY;
+            struct search lost = { .T = pose, .row = row };
+            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+            lost.start = nearly ? q[row][1] : seed[lost.joint];
+            for (int i = 0; i < 6; i++)
+                lost.seed[i] = seed[i];
+            choose_again(&lost, nearly, q[row], &status[row]);
+        }
+        if (status[row] == PARALLEL_123_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = PARALLEL_123_OUT_OF_LIMITS;
+        }
+        count += status[row] != PARALLEL_123_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6])
+{
+    double all[8][6], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -PARALLEL_123_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 6; i++)
+        if (!isfinite(q_seed[i]))
+            return -PARALLEL_123_INVALID_POSE;
+    if (parallel_123_ik(T, q_seed, all, status) < 0)
+        return -PARALLEL_123_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == PARALLEL_123_OUT_OF_LIMITS && result < 0)
+            result = -PARALLEL_123_OUT_OF_LIMITS;
+        if (status[row] != PARALLEL_123_OK && status[row] != PARALLEL_123_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 6; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 6; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void parallel_123_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    size_t k = 0;
+    for (; k < n; k++)
+        (void)parallel_123_ik(T + 16 * k, NULL, (double (*)[6])(q + 48 * k), status + 8 * k);
+}

@@ -1,0 +1,70 @@
+/* parallel_123: Arm whose axes 1, 2 and 3 are parallel
+ *
+ * Inverse kinematics, generated from robots/parallel_123.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
+ * parallel_123.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef PARALLEL_123_H
+#define PARALLEL_123_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PARALLEL_123_METHOD "quartic"
+
+enum {
+    PARALLEL_123_DOF = 6, /* joints */
+    PARALLEL_123_ROWS = 8 /* branches */
+};
+
+/* What a row of parallel_123_ik holds. */
+enum {
+    /* joint values */
+    PARALLEL_123_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    PARALLEL_123_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    PARALLEL_123_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    PARALLEL_123_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    PARALLEL_123_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const parallel_123_branches[8];
+
+/* The pose T of the joint values q. */
+void parallel_123_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void parallel_123_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -PARALLEL_123_INVALID_POSE. */
+int parallel_123_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns PARALLEL_123_OK or PARALLEL_123_FREE_JOINT, or, with NaN in q,
+ * minus PARALLEL_123_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* parallel_123_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void parallel_123_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,976 @@
+"""parallel_123: Arm whose axes 1, 2 and 3 are parallel.
+
+Inverse kinematics, generated from robots/parallel_123.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
+parallel_123.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import njit
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+
+_OPTIONS = {"cache": True, "error_model": "numpy"}
+_jit = njit(**_OPTIONS)
+_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
+
+NAME = "parallel_123"
+METHOD = "quartic"
+DOF = 6
+JOINT_TYPES = "RRRRRR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "root1-down",
+    "root1-up",
+    "root2-down",
+    "root2-up",
+    "root3-down",
+    "root3-up",
+    "root4-down",
+    "root4-up",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+a1 = 0.3  # link length 1 [m]
+a2 = 0.25  # link length 2 [m]
+a3 = 0.1  # link length 3 [m]
+d4 = 0.2  # joint offset 4 [m]
+a4 = 0.1  # link length 4 [m]
+sqrt3 = 1.7320508075688772  # square root of 3
+d5 = 0.15  # joint offset 5 [m]
+a5 = 0.12  # link length 5 [m]
+ca5 = 0.17364817766693041  # cosine of twist 5
+sa5 = 0.984807753012208  # sine of twist 5
+d6 = 0.1  # joint offset 6 [m]
+a6 = 0.05  # link length 6 [m]
+near_limit = 0.001  # a length whose direction is good to few digits
+double_root = 1e-13  # a polynomial's value at a root, relative to its coefficients
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+longest2 = 0.30250000000000005  # square of the longest reach [m^2]
+shortest2 = 0.0024999999999999988  # square of the shortest reach [m^2]
+longest2_reach = 0.302500000000176  # the longest, with what rounding adds [m^2]
+shortest2_reach = 0.0024999999999839994  # the shortest, with what rounding adds [m^2]
+longest2_apart = 0.30249999999998245  # the longest, where branches merge [m^2]
+shortest2_apart = 0.002500000000001599  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 2.5599999999999994e-24  # square of a length that fixes no angle [m^2]
+k1 = 0.5  # 1 / 2
+k2 = 0.8660254037844386  # sqrt3 * 1 / 2
+k3 = 0.12604722665003956  # d5 * ca5 + d6 [m]
+k4 = 0.23  # d1 + (d2 + d3) [m]
+k5 = 0.1477211629518312  # sa5 * d5 [m]
+k6 = 0.08660254037844387  # sqrt3 * 1 / 2 * a4 [m]
+k7 = 0.0075  # (sqrt3 * 1 / 2 * a4)^2 [m^2]
+k8 = 0.8528685319524432  # sa5 * sqrt3 * 1 / 2
+k9 = 1.1906015685221298  # 1 / (sa5 * sqrt3 * 1 / 2 * sa5)
+k10 = 0.008682408883346522  # a6 * ca5 [m]
+k11 = 0.0984807753012208  # d6 * sa5 [m]
+k12 = 0.2  # 2 * a4 [m]
+k13 = 0.0492403876506104  # a6 * sa5 [m]
+k14 = 0.16736481776669304  # d5 + d6 * ca5 [m]
+k15 = 0.567364817766693  # d4 * 2 + (d5 + d6 * ca5) [m]
+k16 = 0.1525  # a1^2 + a2^2 [m^2]
+k17 = 6.666666666666667  # 1 / (2 * a2 * a1) [m^-2]
+k18 = 0.55  # d4 * 2 + d5 [m]
+k19 = 0.25980762113533157  # d5 * sqrt3 [m]
+f1 = 0.23  # d1 + d2 + d3 [m]
+f2 = 0.5  # 1 / 2
+f3 = 0.8660254037844386  # 1 / 2 * sqrt3
+g1 = 0.23  # d1 + d2 + d3 [m]
+g2 = 0.5  # 1 / 2
+g3 = 0.8660254037844386  # 1 / 2 * sqrt3
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+
+
+@_jit
+def _horner(p0, p1, p2, p3, p4, t):
+    return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
+
+
+@_jit
+def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
+    """The root between two points with values of unlike sign."""
+    t = 0.5 * (low + high)
+    for _ in range(100):
+        value = _horner(p0, p1, p2, p3, p4, t)
+        slope = ((4.0 * p4 * t + 3.0 * p3) * t + 2.0 * p2) * t + p1
+        if (value < 0.0) == (at_low < 0.0):
+            low = t
+        else:
+            high = t
+        following = t - value / slope if slope != 0.0 else low
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - t) <= 2e-16 * abs(t):
+            return following
+        t = following
+    return t
+
+
+@_jit
+def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
+    """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
+    roots = 0
+    before, at_before = edges[0], _horner(p0, p1, p2, p3, p4, edges[0])
+    for k in range(1, count):
+        edge = edges[k]
+        value = _horner(p0, p1, p2, p3, p4, edge)
+        size = 1.0 + edge * edge
+        if k < count - 1 and abs(value) <= tolerance * size * size:
+            value = 0.0
+        if at_before * value < 0.0:
+            found[roots] = _bracketed(p0, p1, p2, p3, p4, before, edge, at_before)
+            roots += 1
+        elif value == 0.0 and k < count - 1:
+            found[roots] = edge
+            roots += 1
+        before, at_before = edge, value
+    return roots
+
+
+@_jit
+def _circle_roots(a0, a1, b1, a2, b2):
+    """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
+
+    Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
+    leading coefficient; its roots lie between those of its derivative, those between the
+    roots of the second derivative.
+    """
+    x = np.full(4, math.nan)
+    size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
+    if not (size > 0.0 and math.isfinite(size)):
+        return x
+    best, apart = -1.0, 0.0
+    for k in range(16):
+        at = _TURN * k / 16
+        c, s = math.cos(at), math.sin(at)
+        value = abs(a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s)
+        if value > best:
+            best, apart = value, at
+    c, s = -math.cos(apart), -math.sin(apart)
+    u1, v1 = a1 * c + b1 * s, b1 * c - a1 * s
+    c2, s2 = c * c - s * s, 2.0 * c * s
+    u2, v2 = a2 * c2 + b2 * s2, b2 * c2 - a2 * s2
+    lead = a0 - u1 + u2
+    p0, p1 = (a0 + u1 + u2) / lead, 2.0 * (v1 + 2.0 * v2) / lead
+    p2, p3 = 2.0 * (a0 - 3.0 * u2) / lead, 2.0 * (v1 - 2.0 * v2) / lead
+    bound = 1.0 + max(abs(p0), abs(p1), abs(p2), abs(p3))
+    edges, extrema = np.empty(5), np.empty(4)
+    half = 0.25 * p3
+    square = half * half - p2 / 6.0
+    count = 0
+    edges[0] = -bound
+    if square > 0.0:
+        edges[1], edges[2] = -half - math.sqrt(square), -half + math.sqrt(square)
+        count = 2
+    edges[count + 1] = bound
+    count = _between(p1, 2.0 * p2, 3.0 * p3, 4.0, 0.0, edges, count + 2, 0.0, extrema)
+    for k in range(count):
+        edges[k + 1] = extrema[k]
+    edges[count + 1] = bound
+    tolerance = 1e-13 * size / abs(lead)
+    count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
+    for k in range(count):
+        at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
+        c, s = math.cos(at), math.sin(at)
+        slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+        if abs(slope) > 0.0001 * size:
+            at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
+        at -= _TURN * math.ceil(at / _TURN - 0.5)
+        place = k
+        while place > 0 and x[place - 1] > at:
+            x[place] = x[place - 1]
+            place -= 1
+        x[place] = at
+    return x
+@njit(fastmath={"contract"}, **_OPTIONS)
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (6,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - x2_y * s3
+    x3_y = x2_y * c3 + x2_x * s3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4
+    x4_y = x3_y * c4
+    v1 = x3_x * s4
+    v2 = x3_y * s4
+    y4_z = c4 * f2
+    y4_x = x3_y * f3 - v1 * f2
+    y4_y = -x3_x * f3 - v2 * f2
+    v3 = c4 * f3
+    z4_x = v1 * f3 + x3_y * f2
+    z4_y = v2 * f3 + -x3_x * f2
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = s4 * c5 + y4_z * s5
+    v4 = y4_x * c5 - x4_x * s5
+    v5 = y4_y * c5 - x4_y * s5
+    v6 = y4_z * c5 - s4 * s5
+    y5_x = v4 * ca5 + z4_x * sa5
+    y5_y = v5 * ca5 + z4_y * sa5
+    y5_z = v6 * ca5 - v3 * sa5
+    T13_ = z4_x * ca5 - v4 * sa5
+    T23_ = z4_y * ca5 - v5 * sa5
+    v7 = v6 * sa5 + v3 * ca5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    T11_ = x5_x * c6 + y5_x * s6
+    T21_ = x5_y * c6 + y5_y * s6
+    T31_ = x5_z * c6 + y5_z * s6
+    T12_ = y5_x * c6 - x5_x * s6
+    T22_ = y5_y * c6 - x5_y * s6
+    T32_ = y5_z * c6 - x5_z * s6
+    T14_ = (
+        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + T11_ * a6
+        + T13_ * d6
+    )
+    T24_ = (
+        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + T21_ * a6
+        + T23_ * d6
+    )
+    T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = -v7
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 6): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 6 joint values")
+    J = np.zeros((6, 6))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - s1 * s2
+    x2_y = s1 * c2 + c1 * s2
+    p2_x = p1_x + x2_x * a2
+    p2_y = p1_y + x2_y * a2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 - x2_y * s3
+    J44 = x2_y * c3 + x2_x * s3
+    p3_x = p2_x + x3_x * a3
+    p3_y = p2_y + J44 * a3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4
+    x4_y = J44 * c4
+    v1 = x3_x * s4
+    v2 = J44 * s4
+    p4_z = g1 + s4 * a4
+    p4_x = p3_x + x4_x * a4 + J44 * d4
+    p4_y = p3_y + x4_y * a4 + -x3_x * d4
+    y4_z = c4 * g2
+    y4_x = J44 * g3 - v1 * g2
+    y4_y = -x3_x * g3 - v2 * g2
+    v3 = c4 * g3
+    J45 = v1 * g3 + J44 * g2
+    J55 = v2 * g3 + -x3_x * g2
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = s4 * c5 + y4_z * s5
+    v4 = y4_x * c5 - x4_x * s5
+    v5 = y4_y * c5 - x4_y * s5
+    v6 = y4_z * c5 - s4 * s5
+    p5_x = p4_x + x5_x * a5 + J45 * d5
+    p5_y = p4_y + x5_y * a5 + J55 * d5
+    p5_z = p4_z + x5_z * a5 - v3 * d5
+    J46 = J45 * ca5 - v4 * sa5
+    J56 = J55 * ca5 - v5 * sa5
+    v7 = v6 * sa5 + v3 * ca5
+    c6 = math.cos(q[5])
+    s6 = math.sin(q[5])
+    J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6
+    p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6
+    p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6
+    J22 = J21 - p1_x
+    J12 = p1_y - p6_y
+    J23 = J21 - p2_x
+    J13 = p2_y - p6_y
+    v8 = p6_z - g1
+    J14 = -x3_x * v8
+    J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x)
+    v9 = J21 - p4_x
+    v10 = p6_y - p4_y
+    v11 = p6_z - p4_z
+    J15 = J55 * v11 + v3 * v10
+    J35 = J45 * v10 - J55 * v9
+    v12 = J21 - p5_x
+    v13 = p6_y - p5_y
+    v14 = p6_z - p5_z
+    J16 = J56 * v14 + v7 * v13
+    J36 = J46 * v13 - J56 * v12
+    J[0, 0] = -p6_y
+    J[0, 1] = J12
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = -(J44 * v8)
+    J[1, 4] = -(v3 * v9 + J45 * v11)
+    J[1, 5] = -(v7 * v12 + J46 * v14)
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[4, 3] = -x3_x
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[5, 0] = 1.0
+    J[5, 1] = 1.0
+    J[5, 2] = 1.0
+    J[5, 4] = -v3
+    J[5, 5] = -v7
+    return J
+
+
+_LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
+_NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
+
+
+@_jit
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others.
+
+    The first value of a row that is _LOST says how far it is from a solution (negative).
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta6, type 9: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
+    R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34))
+    R1c6 = T31 * a5 + sa5 * (T32 * d5)
+    R1s6 = T31 * k5 - T32 * a5
+    v1 = T33 * ca5
+    v2 = T32 * sa5
+    v3 = T31 * sa5
+    v4 = a4 * v1
+    v5 = a4 * v2
+    v6 = a4 * v3
+    v7 = k2 * R1_6
+    v8 = k2 * R1c6
+    v9 = k2 * R1s6
+    v10 = v5 * v5
+    v11 = v6 * v6
+    v12 = 2.0 * v4
+    v13 = v8 * v8
+    v14 = v9 * v9
+    v15 = 2.0 * v7
+    v16 = v5 * v12 + v8 * v15
+    v17 = v6 * v12 + v9 * v15
+    v18 = k1 * (v10 - v11) + k1 * (v13 - v14)
+    v19 = v5 * v6 + v8 * v9
+    v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7
+    x6_roots = _circle_roots(v20, v16, v17, v18, v19)
+    v23 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
+    v24 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
+    v25 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19)
+    v26 = 2.0 * v19
+    v27 = 2.0 * v18
+    v29 = v25 * near_limit
+    v30 = v23 * v26 + (v17 * math.cos(seed[5]) - v16 * math.sin(seed[5])) - v24 * v27
+    v31 = (
+        abs(v20 + (v19 * v24 + (v18 * v23 + (v16 * math.cos(seed[5]) + v17 * math.sin(seed[5])))))
+        <= v25 * double_root
+    )
+
+    # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
+    v32 = sa5 * T22
+    v33 = sa5 * T21
+    v34 = ca5 * T23
+    v35 = sa5 * T12
+    v36 = sa5 * T11
+    v37 = ca5 * T13
+    v38 = seed[0] + seed[1] + seed[2]
+
+    # theta5, type 3: U3[3, 3] and U4[1, 3]
+    v39 = 2.0 * T23
+    v40 = 2.0 * T13
+
+    # theta2, type 8: U0[1, 4] and U0[2, 4]
+    v52 = 2.0 * T14
+    v53 = 2.0 * T24
+
+    # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
+    wy = T24 - a6 * T21 - d6 * T23
+    v55 = 2.0 * wy
+    wx = T14 - a6 * T11 - d6 * T13
+    v56 = 2.0 * wx
+
+    for i1 in range(4):  # root1, root2, root3, root4
+        x6 = x6_roots[i1]
+        # theta6
+        if not (x6 <= 4.0):
+            continue  # out of reach
+        v21 = math.cos(x6)
+        v22 = math.sin(x6)
+        v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 * v22) * v27
+        near6 = abs(v28) <= v29
+        same6 = (
+            -(double_root * (v25 * v25)) <= v28 * v30 and (0.0 < v21 * math.cos(seed[5]) + v22 *
+            math.sin(seed[5]) and (abs(v21 * math.sin(seed[5]) - v22 * math.cos(seed[5])) <=
+            near_limit and (near6 and v31)))
+        )
+        q6 = seed[5] if same6 else x6
+        c6 = math.cos(q6)
+        s6 = math.sin(q6)
+
+        # theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
+        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6
+        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6
+        q4 = _atan2(s4, c4)
+
+        # theta123
+        X1_123 = k1 * (sqrt3 * s4)
+        Z1_123 = c6 * v32 + s6 * v33 + v34
+        Z2_123 = c6 * v35 + s6 * v36 + v37
+        S123 = X1_123 * Z1_123 + k1 * Z2_123
+        C123 = X1_123 * Z2_123 - k1 * Z1_123
+        w123 = math.sqrt(S123 * S123 + C123 * C123)
+        free123 = w123 <= free_limit_squared
+        factor123 = 1.0 / (1.0 if free123 else w123)
+        c123 = math.cos(v38) if free123 else C123 * factor123
+        s123 = math.sin(v38) if free123 else S123 * factor123
+        theta123 = _atan2(s123, c123)
+
+        # theta5
+        s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9
+        v41 = sa5 * (k1 * (s123 * v40 - c123 * v39 - ca5)) * k9
+        q5 = _atan2(s5, -v41)
+
+        # theta2
+        v42 = a5 + a6 * c6
+        v43 = s6 * k10 - k11
+        v44 = c4 * (2.0 * v42) + s4 * -v43
+        v45 = sqrt3 * v43
+        v46 = c4 * (2.0 * v43) + s4 * v42
+        v47 = sqrt3 * v42
+        v48 = c4 * k12
+        v49 = s6 * k13
+        v50 = k12 + (v48 + s4 * (sqrt3 * (v49 + k14)))
+        v51 = v49 + k15
+        Z1_2 = (
+            k1 * (v41 * (c123 * v44 + s123 * v45) + s5 * (c123 * v46 - s123 * v47) + (v52 - (c123 *
+            v50 + s123 * v51)))
+        )
+        Z2_2 = (
+            k1 * (s5 * (c123 * v47 + s123 * v46) - v41 * (c123 * v45 - s123 * v44) + (c123 * v51 -
+            s123 * v50 + v53))
+        )
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
+        K2 = N2 - k16
+        D2 = (longest2 - N2) * (N2 - shortest2)
+        apart2 = shortest2_apart < N2 and N2 < longest2_apart
+        if not (shortest2_reach <= N2 and N2 <= longest2_reach):
+            if near6:
+                status[2 * i1] = _NEARLY + 6
+                q[2 * i1, 0] = D2
+                q[2 * i1, 1] = q6
+            if free123:
+                status[2 * i1] = _LOST + 1
+                q[2 * i1, 0] = D2
+            if free123:
+                status[2 * i1] = _LOST + 2
+                q[2 * i1, 0] = D2
+            if free123:
+                status[2 * i1] = _LOST + 3
+                q[2 * i1, 0] = D2
+            continue  # out of reach
+        w2 = math.sqrt(D2 if apart2 else 0.0)
+        c2 = K2 * k17
+
+        # theta1
+        X1_1 = a1 + a2 * c2
+        v54 = k12 + (v48 + s4 * k19)
+        Z1_1 = (
+            k1 * (v41 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
+            * k18 - s123 * v54 + v55))
+        )
+        Z2_1 = (
+            k1 * (v41 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v56 -
+            (c123 * v54 + s123 * k18)))
+        )
+        v57 = X1_1 * Z1_1
+        v58 = X1_1 * Z2_1
+
+        for i2 in range(2):  # down, up
+            e2 = 1.0 - 2.0 * i2
+            # theta2
+            if e2 < 0.0 and not apart2:
+                continue  # both signs give the same
+            s2 = w2 * e2 * k17
+            q2 = _atan2(s2, c2)
+
+            # theta1
+            Y1_1 = a2 * s2
+            S1 = v57 - Y1_1 * Z2_1
+            C1 = v58 + Y1_1 * Z1_1
+            w1 = math.sqrt(S1 * S1 + C1 * C1)
+            free1 = w1 <= free_limit_squared2
+            factor1 = 1.0 / (1.0 if free1 else w1)
+            c1 = math.cos(seed[0]) if free1 else C1 * factor1
+            s1 = math.sin(seed[0]) if free1 else S1 * factor1
+            q1 = _atan2(s1, c1)
+
+            # joint values
+            q3 = _wrap(theta123 - (q2 + q1))
+            free1_ = free123 or free1
+            row = 2 * i1 + i2
+            q[row, 0] = q1
+            q[row, 1] = q2
+            q[row, 2] = q3
+            q[row, 3] = q4
+            q[row, 4] = q5
+            q[row, 5] = q6
+            status[row] = FREE_JOINT if free1_ or free123 or free123 else OK
+
+
+@_jit
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_jit
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _attempt(pose, seed, lost, moved, q, status):
+    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+
+    The row and the joint that had been chosen are the two numbers of `lost`.
+    """
+    row, joint = lost
+    for i in range(8):
+        status[i] = UNREACHABLE
+    kept = seed[joint]
+    seed[joint] = kept + moved
+    _solve(pose, seed, q, status)
+    seed[joint] = kept
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@_part
+def _summit(pose, seed, lost, low, high, q, status):
+    """Golden section for a move between low and high that serves; NaN if there is none."""
+    for _ in range(52):
+        third = 0.3819660112501051 * (high - low)
+        left = _attempt(pose, seed, lost, low + third, q, status)
+        right = _attempt(pose, seed, lost, high - third, q, status)
+        if left == 0.0 or right == 0.0:
+            return low + third if left == 0.0 else high - third
+        if left >= right:
+            high -= third
+        else:
+            low += third
+    return math.nan
+
+
+@_part
+def _serving(pose, seed, lost, q, status):
+    """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
+
+    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
+    between two of them, bisection the end that is nearest to the seed.
+    """
+    step, nearest = _TURN / 64, math.nan
+    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    for k in range(-32, 32 + 1):
+        before, here = here, after
+        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        outer = k * step
+        inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
+        if here < 0.0 and here >= before and here > after:
+            low, high = outer - step, outer + step
+            outer = _summit(pose, seed, lost, low, high, q, status)
+            if math.isnan(outer):
+                continue
+        elif here < 0.0 or (before if k > 0 else after) == 0.0:
+            continue
+        for _ in range(52):
+            middle = 0.5 * (inner + outer)
+            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+                outer = middle
+            else:
+                inner = middle
+        if not abs(outer) >= abs(nearest):
+            nearest = outer
+    return nearest
+
+
+@_part
+def _serving_digits(pose, seed, lost, q, status):
+    """The same for a joint that is nearly free: its angle is known to few digits.
+
+    As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
+    would take its own.
+    """
+    moved = 1e-15
+    while moved < 0.1:
+        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+            return moved
+        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+            return -moved
+        moved *= 2.0
+    return math.nan
+
+
+@_part
+def _choose_again(pose, given, row, q, status):
+    """A free joint took the seed's value, and then the arm could not reach.
+
+    The joint takes the nearest value that serves.
+    """
+    nearly = status[row] > _NEARLY
+    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    if nearly:
+        seed[lost[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, lost, trial, result)
+    else:
+        moved = _serving(pose, seed, lost, trial, result)
+    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    status[row] = result[row] if served else UNREACHABLE
+    for i in range(6):
+        q[row, i] = trial[row, i] if served else math.nan
+
+
+@_jit
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
+    for row in range(8):
+        status[row] = UNREACHABLE
+        for i in range(6):
+            q[row, i] = math.nan
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(6):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (8, 6), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (6,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    seed = _ZEROS if q_seed is None else q_seed
+    if seed.shape != (6,):
+        raise ValueError("q_seed must be (6,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (8, 6) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = _array(T, (4, 4), "T")
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    ik_into(T, q, status, seed)
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(6):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(6):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (6,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (6,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 8) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(6)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    seed = np.empty(6)
+    seed[:] = 0.0
+    for k in range(len(T)):
+        ik_into(T[k], q[k], status[k], seed)
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 8, 6) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    _share(_one_by_one, cores, T, q, status)
+    return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
