@@ -142,20 +142,25 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
         for column in range(4):
             found[indexed("t", f"{row + 1}{column + 1}")] = target[row, column]
             found[indexed("p", f"{row + 1}{column + 1}")] = pose[row, column]
-    for point in story.derivation.pool.points:
-        vector = [_number(entry, values, story) for entry in point.in_tool]
-        place = target @ [*vector, 1.0]
-        for name, value in zip(point.names, place, strict=False):
-            found[story.letters[name].text] = value
-    for base_point in story.derivation.pool.base_points:
-        vector = [_number(entry, values, story) for entry in base_point.in_base]
-        place = np.linalg.inv(target) @ [*vector, 1.0]
-        for name, value in zip(base_point.names, place, strict=False):
-            found[story.letters[name].text] = value
+    found |= _points(story, target, values)
     for number in range(chain.dof):
         found[indexed("U", number)] = target
         target = np.linalg.inv(moved[number]) @ target
     return found | {f"moved {i}": link for i, link in enumerate(moved, start=1)}
+
+
+def _points(story: Story, target: NDArray[np.float64], values: dict[str, float]) -> Letters:
+    """The entries of named points: of the tool seen from the base, of the base from the tool."""
+    pool = story.derivation.pool
+    inverse: NDArray[np.float64] = np.asarray(np.linalg.inv(target), dtype=np.float64)
+    seen = [(point.names, point.in_tool, target) for point in pool.points]
+    seen += [(point.names, point.in_base, inverse) for point in pool.base_points]
+    found: Letters = {}
+    for names, coordinates, transform in seen:
+        place = transform @ [*(_number(entry, values, story) for entry in coordinates), 1.0]
+        for name, value in zip(names, place, strict=False):
+            found[story.letters[name].text] = value
+    return found
 
 
 def _limits(story: Story) -> Letters:

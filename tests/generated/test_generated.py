@@ -48,6 +48,7 @@ COMPILED = (
     "ur5",
     "wrist_oblique",
 )
+ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
 RESIDUAL = 1e-11  # of the arm's size
 POLISHED = 1e-9  # the same for the general arms
@@ -104,10 +105,7 @@ def test_every_robot_has_its_files() -> None:
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
 
 
-@pytest.mark.parametrize(
-    ("name", "language"),
-    [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)],
-)
+@pytest.mark.parametrize(("name", "language"), ASKED)
 def test_random_poses(name: str, language: str) -> None:
     """The generating joints are found on each, and every row gives its pose again."""
     rows = module(name).MAX_SOLUTIONS
@@ -125,8 +123,7 @@ def test_random_poses(name: str, language: str) -> None:
     assert nearest.min(axis=1).max() < 1e-5
 
 
-@pytest.mark.parametrize("language", ["C", "Python"])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "language"), ASKED)
 def test_singular_poses(name: str, language: str) -> None:
     """An exact answer on every one: wrists, shoulders, stretched, folded, right angles, limits."""
     sets = joint_sets(robot(name), count=6, seed=72)
