@@ -572,10 +572,15 @@ _KINOVA_GEN3_LITE_LINKS = np.array([
 # poses close by, for those at which the formulations fail
 _KINOVA_GEN3_LITE_NUDGES = np.array([
     [0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001, 0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071, 0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047],
+    [0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001, -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071, -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047],
     [0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183, 0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087, -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201],
+    [0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183, -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087, 0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201],
     [0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714, 0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754, 0.007769939863287338, 0.9999478024193579, 0.0031],
+    [0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059, 0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787, -0.007829337110224942, 0.9999478024193579, -0.0031],
     [0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999, -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183, -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997],
+    [0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999, 0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183, 0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997],
     [0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287, 0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453, 0.019995627381619797, 0.9993720271440617, 0.012299999999999998],
+    [0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867, 0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323, -0.01959005408153817, 0.9993720271440617, -0.012299999999999998],
 ])
 
 # A formulation: the joints phi_1 (hidden) ... phi_6 are; the sign of phi = sign q; whether the table
@@ -1014,8 +1019,9 @@ def _kinova_gen3_lite_few(f, rounding, low, at_low, high, at_high, roots, counts
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _kinova_gen3_lite_between(f, 1, low, high, at_low[1] < 0.0)
-        at_middle = _kinova_gen3_lite_at(f, middle)[0]
-        if abs(at_middle) <= rounding:
+        at_middle, _, bend = _kinova_gen3_lite_at(f, middle)
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * 5e-09
+        if abs(at_middle) <= rounding or lifted:
             _kinova_gen3_lite_add_root(roots, counts, 1, middle)
             return
         if (at_middle < 0.0) != (at_high[0] < 0.0):
@@ -1520,11 +1526,13 @@ def _kinova_gen3_lite_try(P, q, residual, singular, doubles_met):
 def _kinova_gen3_lite_from_nearby(P, q, residual, singular, count):
     """Solve poses close by, and follow their solutions back: (whether that is all, the count).
 
-    Around a singular pose none of them has to have all solutions: then all are looked at.
+    Where two solutions meet they are on one side only: both sides have to have as many as are
+    found. Around a singular pose none of them has to have all solutions: then all are looked at.
     """
     followed = False
+    before = -1
     other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    for n in range(5):
+    for n in range(10):
         nearby = _kinova_gen3_lite_compose(P, _KINOVA_GEN3_LITE_NUDGES[n])
         complete, found = _kinova_gen3_lite_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(16, dtype=np.int64)
@@ -1540,10 +1548,14 @@ def _kinova_gen3_lite_from_nearby(P, q, residual, singular, count):
                 met[place] = 1
                 singular_here = singular_here or singular[place] == 1
         marked = _kinova_gen3_lite_marked(singular)
+        agreed = -1
         if complete and found > 0:
-            if _kinova_gen3_lite_marked(met) == found and marked == 0 and count % 2 == 0:
-                return True, count
+            agreed = found if _kinova_gen3_lite_marked(met) == found else -1
             followed = followed or singular_here
+        alike = n % 2 == 1 and before == count and agreed == count
+        if alike and marked == 0 and count % 2 == 0:
+            return True, count
+        before = agreed
     return followed and (count - _kinova_gen3_lite_marked(singular)) % 2 == 0, count
 
 

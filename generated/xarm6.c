@@ -516,22 +516,37 @@ static const double xarm6_link[5][12] = {
 };
 
 /* poses close by, for those at which the formulations fail */
-static const double xarm6_nudge[5][12] = {
+static const double xarm6_nudge[10][12] = {
     { 0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001,
         0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071,
         0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047 },
+    { 0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001,
+        -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071,
+        -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047 },
     { 0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183,
         0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087,
         -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201 },
+    { 0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183,
+        -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087,
+        0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201 },
     { 0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714,
         0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754,
         0.007769939863287338, 0.9999478024193579, 0.0031 },
+    { 0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059,
+        0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787,
+        -0.007829337110224942, 0.9999478024193579, -0.0031 },
     { 0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999,
         -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183,
         -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997 },
+    { 0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999,
+        0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183,
+        0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997 },
     { 0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287,
         0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453,
         0.019995627381619797, 0.9993720271440617, 0.012299999999999998 },
+    { 0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867,
+        0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323,
+        -0.01959005408153817, 0.9993720271440617, -0.012299999999999998 },
 };
 
 static const double xarm6_table_1[] = {
@@ -2271,7 +2286,9 @@ typedef struct {
 } xarm6_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f (two roots, none or one). `complete` says that no cell was given up. */
+ * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
+ * given
+ * up. */
 typedef struct {
     int simple, doubles, complete;
     double c[XARM6_ROOTS + 8], s[XARM6_ROOTS + 8];
@@ -2445,7 +2462,8 @@ static void xarm6_few(const xarm6_trigonometric *f, double low, const double at_
     }
     x = xarm6_between(f, 1, low, high, at_low[1] < 0.0);
     xarm6_at(f, cos(x), sin(x), at);
-    if (fabs(at[0]) <= f->rounding) {
+    if (fabs(at[0]) <= f->rounding ||
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
         xarm6_add_root(roots, x, 1);
         return;
     }
@@ -3600,15 +3618,18 @@ static unsigned xarm6_follow_back(const double P[12], double (*start)[6], int co
     return met;
 }
 
-/* Solve poses close by, and follow their solutions back. Around a singular pose none of them has to
- * have all solutions: then all are looked at. */
+/* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
+ * side
+ * only: both sides have to have as many as are found. Around a singular pose none of them has to
+ * have
+ * all solutions: then all are looked at. */
 static int xarm6_from_nearby(const double P[12], xarm6_found *found)
 {
-    int followed = 0;
-    for (int n = 0; n < 5; n++) {
+    int followed = 0, before = -1;
+    for (int n = 0; n < 10; n++) {
         double nearby[12];
         xarm6_found other;
-        int complete, lost = 0;
+        int complete, count = -1, lost = 0;
         unsigned met;
         xarm6_compose(P, xarm6_nudge[n], nearby);
         other.count = 0;
@@ -3617,11 +3638,14 @@ static int xarm6_from_nearby(const double P[12], xarm6_found *found)
         complete = xarm6_try(nearby, &other);
         met = xarm6_follow_back(P, other.q, other.count, found, &lost);
         if (complete && !lost && met) {
-            if (xarm6_bits(met) == other.count && !found->singular && xarm6_paired(found)) {
-                return 1;
-            }
+            count = xarm6_bits(met) == other.count ? other.count : -1;
             followed |= (met & found->singular) != 0;
         }
+        if (n % 2 && before == found->count && count == found->count && !found->singular &&
+            xarm6_paired(found)) {
+            return 1;
+        }
+        before = count;
     }
     return followed && xarm6_paired(found);
 }

@@ -34,6 +34,9 @@ QUINTIC = 2e-9
 # Rounding of f in its largest value, at least this; more when the harmonics beyond 8 say so.
 ROUNDING = 3e-15
 NOISE_FACTOR = 8.0
+# An extremum beside zero may be a double root that rounding has lifted off, also that of the
+# equations behind f, which nothing measures: when a complex pair is this near to the circle [rad].
+LIFTED = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +79,7 @@ class Roots:
 
     Attributes:
         simple: Where f changes its sign.
-        double: Where f touches zero within its rounding: two roots, or none, or one.
+        double: Where f touches zero within its rounding, or nearly: two roots, or none, or one.
         complete: Whether no cell was left undecided.
     """
 
@@ -212,8 +215,9 @@ def _in_simple_cell(
             simple.append(_refine(f, low, high, at_low[0] < 0))
         return
     x = _extremum(f, low, high)
-    value = f.at(cos(x), sin(x))[0]
-    if abs(value) <= f.rounding:
+    value, _, bend = f.at(cos(x), sin(x))
+    lifted = value * bend > 0 and abs(value) <= abs(bend) * LIFTED**2 / 2
+    if abs(value) <= f.rounding or lifted:
         double.append(x)
         return
     if (at_low[0] < 0) != (value < 0):

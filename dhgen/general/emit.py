@@ -120,6 +120,8 @@ def _tolerances() -> dict[str, object]:
         "quintic": repr(circle.QUINTIC),
         "rounding": repr(circle.ROUNDING),
         "noise_factor": repr(circle.NOISE_FACTOR),
+        # the value of a parabola over its bend
+        "lifted": repr(0.5 * circle.LIFTED**2),
         "noise": repr(reference.NOISE),
         "residual": repr(reference.RESIDUAL),
         "together": repr(reference.TOGETHER),

@@ -243,25 +243,32 @@ def _candidates(
 def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     """Solve poses close by, and follow their solutions back.
 
-    Around a singular pose none of them has to have all solutions: then all are looked at.
+    Where two solutions meet they are on one side only: both sides have to have as many as are
+    found. Around a singular pose none of them has to have all solutions: then all are looked at.
     """
     followed = False
-    for motion in nudges():
+    before = -1
+    for number, motion in enumerate(nudges()):
         nearby = _Search(search.links, search.P @ np.array(motion))
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
+        count = -1
         if complete and places and None not in places:
-            if len(places) == len(nearby.found) and not search.singular and search.paired:
-                return True
+            count = len(nearby.found) if len(places) == len(nearby.found) else -1
             followed = followed or bool(places & search.singular)
+        agreed = number % 2 == 1 and before == count == len(search.found)
+        if agreed and not search.singular and search.paired:
+            return True
+        before = count
     return followed and search.paired
 
 
 def nudges() -> tuple[Matrix, ...]:
-    """Small motions of growing size: the quaternion (1, v) to length one, and a translation."""
+    """Small motions of growing size, there and back: the quaternion (1, v), and a translation."""
     return tuple(
         _motion((size * a, size * b, size * c), (size * x, size * y, size * z))
-        for size, (a, b, c, x, y, z) in zip(NUDGES, NUDGE_DIRECTIONS, strict=True)
+        for distance, (a, b, c, x, y, z) in zip(NUDGES, NUDGE_DIRECTIONS, strict=True)
+        for size in (distance, -distance)
     )
 
 

@@ -9,7 +9,10 @@ import pytest
 
 from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.singular import in_a_family, singular_sets
 from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.robots.cases import ROBOTS, robot
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -75,3 +78,19 @@ def test_regular_poses_agree_with_the_program(made: tuple[Compilation, CompiledS
         np.testing.assert_array_equal(status == 0, meant.solved[k])
         np.testing.assert_allclose(rows[status == 0], meant.q[k][meant.solved[k]], atol=1e-8)
         assert not meant.free[k].any()
+
+
+@pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_lite"])
+def test_solutions_that_meet_are_found_without_a_seed(name: str, tmp_path: Path) -> None:
+    solver = compile_solver(ROBOTS.parent / "generated" / f"{name}.c", tmp_path, name, 6, 16, 0)
+    assert solver is not None
+    kinds = singular_sets(robot(name), 60, seed=5)
+    missed = []
+    for kind in [kind for kind in kinds if "singular by" in kind or kind == "right angles"]:
+        poses = np.ascontiguousarray(forward(robot(name), kinds[kind]), dtype=float)
+        for q, T in zip(kinds[kind], poses, strict=True):
+            rows, status = solver.ik(T, np.zeros(6))
+            met = gaps(rows[status != 1], q).min(initial=np.inf) < 1e-3 or (status == 2).any()
+            if not met and not in_a_family(robot(name), q):
+                missed.append((kind, q.tolist()))
+    assert not missed
