@@ -15,6 +15,7 @@ from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
 from dhgen.robot.robot import JointKind
 from dhgen.survey.singular import is_redundant
+from tests.structures import STRUCTURES
 from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
@@ -28,27 +29,8 @@ if TYPE_CHECKING:
 
 COUNT = 10_000
 SLOW = {16: 300}  # general arms, by their number of rows
-# Of every structure one: numba takes seconds for each. The text of all modules is run without
-# numba against the C in tests/targets.
-COMPILED = (
-    "cartesian",
-    "concurrent_345",
-    "cuspidal_3r",
-    "fanuc_crx10ia",
-    "kuka_iiwa14",
-    "kuka_youbot",
-    "olson_pprrrr",
-    "planar_rr",
-    "planar_rrrr",
-    "puma560",
-    "scara",
-    "scorbot_pointing",
-    "spherical_wrist_general_arm",
-    "stanford",
-    "ur5",
-    "wrist_oblique",
-)
-ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]
+# numba takes seconds for each; the modules of all arms run without it in clean processes
+ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in STRUCTURES)]
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
 RESIDUAL = 1e-11  # of the arm's size
 POLISHED = 1e-9  # the same for the general arms

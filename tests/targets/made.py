@@ -18,6 +18,7 @@ from dhgen.survey.oracle.arm import arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
+from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-NAMES = sorted(path.stem for path in ROBOTS.glob("*.yaml"))
+NAMES = list(STRUCTURES)
 MADE_UP = Path(__file__).parent / "robots"
 MADE_UP_NAMES = sorted(path.stem for path in MADE_UP.glob("*.yaml"))
 
