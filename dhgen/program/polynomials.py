@@ -7,12 +7,14 @@ form X s + Y c is Z, and Y s - X c is the signed root.
 
 from __future__ import annotations
 
-from fractions import Fraction
-from math import gcd
 from typing import TYPE_CHECKING
+
+from dhgen.kinematics.ring import content as content_of
+from dhgen.kinematics.ring import divided, primitive, split
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from fractions import Fraction
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
@@ -51,11 +53,11 @@ class PolynomialLowering:
     def remember(self, form: Polynomial, node: Node) -> None:
         """This form need not be computed: it is that value."""
         if len(form) > 1:
-            factor, primitive = _primitive(form)
+            factor, forward = _facing_forward(form)
             if factor == 1:
-                self._forms.setdefault(primitive, node)
+                self._forms.setdefault(forward, node)
             elif factor == -1:
-                self._forms.setdefault(primitive, self.builder.neg(node))
+                self._forms.setdefault(forward, self.builder.neg(node))
 
     def lower(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial."""
@@ -67,8 +69,8 @@ class PolynomialLowering:
     def _lower(self, polynomial: Polynomial) -> Node:
         if not polynomial:
             return self.builder.integer(0)
-        factor, primitive = _primitive(polynomial)
-        content, rest = _content(primitive)
+        factor, form = _facing_forward(polynomial)
+        content, rest = content_of(form)
         return self._scaled(self._nested(rest), factor, content)
 
     def _scaled(self, node: Node, factor: Fraction, content: tuple[int, ...]) -> Node:
@@ -92,67 +94,29 @@ class PolynomialLowering:
         outermost = max(places, key=lambda place: (self._rank.get(place, 0), -place))
         pair = self._pairs.get(outermost)
         group = set(pair) if pair is not None and self._rank.get(outermost, 0) > 0 else {outermost}
-        inside, outside = _split(polynomial, group)
+        inside, outside = split(polynomial, group)
         total = self._known_or_sum(inside, sorted(group))
         return self.builder.add(total, self._lower(outside)) if outside else total
 
     def _known_or_sum(self, inside: Polynomial, group: list[int]) -> Node:
         """The terms in one joint: a remembered form, or c A + s B."""
         builder = self.builder
-        factor, primitive = _primitive(inside)
-        content, rest = _content(primitive)
+        factor, form = _facing_forward(inside)
+        content, rest = content_of(form)
         if rest in self._forms and not any(content[place] for place in group):
             return self._scaled(self._forms[rest], factor, content)
         total = builder.integer(0)
         for place in group:
-            part, inside = _split(inside, {place})
+            part, inside = split(inside, {place})
             if part:
-                quotient = _divided(part, place)
+                quotient = divided(part, place)
                 total = builder.add(
                     total, builder.mul(self._value(self._names[place]), self._lower(quotient))
                 )
         return total
 
 
-def _primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
-    """The rational factor that leaves whole, coprime coefficients with a positive first one."""
-    parts = [Fraction(int(c.numerator), int(c.denominator)) for _, c in polynomial.terms()]
-    numerator = gcd(*(abs(part.numerator) for part in parts))
-    denominator = 1
-    for part in parts:
-        denominator = denominator * part.denominator // gcd(denominator, part.denominator)
-    factor = Fraction(numerator, denominator) * (1 if parts[0] > 0 else -1)
-    domain = polynomial.ring.domain
-    return factor, polynomial.mul_ground(domain(factor.denominator) / domain(factor.numerator))
-
-
-def _content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
-    """The common monomial, and what is left without it."""
-    monomials = list(polynomial)
-    common = tuple(min(exponents) for exponents in zip(*monomials, strict=True))
-    if not any(common):
-        return common, polynomial
-    lowered = {
-        tuple(e - c for e, c in zip(monomial, common, strict=True)): coefficient
-        for monomial, coefficient in polynomial.terms()
-    }
-    return common, polynomial.ring.from_dict(lowered)
-
-
-def _split(polynomial: Polynomial, places: set[int]) -> tuple[Polynomial, Polynomial]:
-    """The terms with any of these generators, and the others."""
-    inside: dict[tuple[int, ...], object] = {}
-    outside: dict[tuple[int, ...], object] = {}
-    for monomial, coefficient in polynomial.terms():
-        target = inside if any(monomial[place] for place in places) else outside
-        target[monomial] = coefficient
-    return polynomial.ring.from_dict(inside), polynomial.ring.from_dict(outside)
-
-
-def _divided(polynomial: Polynomial, place: int) -> Polynomial:
-    """A polynomial of which every term holds the generator, without it."""
-    lowered = {
-        (*monomial[:place], monomial[place] - 1, *monomial[place + 1 :]): coefficient
-        for monomial, coefficient in polynomial.terms()
-    }
-    return polynomial.ring.from_dict(lowered)
+def _facing_forward(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
+    """The rational factor that leaves whole, coprime coefficients, the first of them positive."""
+    factor, rest = primitive(polynomial)
+    return (factor, rest) if rest.LC > 0 else (-factor, -rest)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.ring import constant_value
+
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
@@ -77,7 +79,9 @@ class Scales:
             widened: By how much both reaches are moved apart [arm sizes].
         """
         v, w = (
-            math.hypot(*(self._number(step.coefficient(letter + part)) for part in "12"))
+            math.hypot(
+                *(constant_value(self._algebra, step.coefficient(letter + part)) for part in "12")
+            )
             for letter in "VW"
         )
         move = widened * self._size
@@ -89,14 +93,3 @@ class Scales:
             constant(f"longest{suffix}{tail}", longest, meaning.format("longest"), 2),
             constant(f"shortest{suffix}{tail}", shortest, meaning.format("shortest"), 2),
         )
-
-    def _number(self, polynomial: Polynomial) -> float:
-        """The value of a polynomial in the arm's constants."""
-        values = {self._algebra.index[c.name]: c.value for c in self._constants}
-        total = 0.0
-        for monomial, coefficient in polynomial.terms():
-            part = int(coefficient.numerator) / int(coefficient.denominator)
-            for place, exponent in enumerate(monomial):
-                part *= values[place] ** exponent if exponent else 1.0
-            total += part
-        return total

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.ring import substitute
 from dhgen.targets.derivation.names import single
-from dhgen.targets.derivation.ring import substitute
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra, AngleSum

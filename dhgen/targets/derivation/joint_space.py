@@ -8,12 +8,12 @@ import numpy as np
 
 from dhgen.kinematics.chain import Turn
 from dhgen.kinematics.product import product
+from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.witness import build_witnesses
 from dhgen.targets.derivation.blocks import Given, say
 from dhgen.targets.derivation.formula import ZERO, Symbol, equal
 from dhgen.targets.derivation.names import single, theta
-from dhgen.targets.derivation.ring import used_places
 from dhgen.targets.derivation.style import PLAIN, show
 from dhgen.targets.derivation.walk import leads_negative
 

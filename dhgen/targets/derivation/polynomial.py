@@ -10,6 +10,12 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.ring import (
+    content,
+    primitive,
+    split,
+    used_places,
+)
 from dhgen.targets.derivation.formula import (
     ZERO,
     Minus,
@@ -21,12 +27,6 @@ from dhgen.targets.derivation.formula import (
     times,
 )
 from dhgen.targets.derivation.names import symbols
-from dhgen.targets.derivation.ring import (
-    content,
-    primitive,
-    split,
-    used_places,
-)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.search import learn
@@ -17,7 +18,6 @@ from dhgen.targets.derivation.matrices import form_of, steps_back
 from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
 from dhgen.targets.derivation.polynomial import Writer
 from dhgen.targets.derivation.quotes import quotes_of
-from dhgen.targets.derivation.ring import content, primitive
 from dhgen.targets.derivation.walk import leads_negative
 
 if TYPE_CHECKING:

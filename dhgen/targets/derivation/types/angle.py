@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.ring import constant_value
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect, merged_effect
 from dhgen.targets.derivation.formula import (
@@ -31,7 +32,6 @@ from dhgen.targets.derivation.joint_space import (
 )
 from dhgen.targets.derivation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
-from dhgen.targets.derivation.values import constant_value
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Block

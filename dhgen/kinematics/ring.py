@@ -1,14 +1,16 @@
-"""What the printing of polynomials needs of the ring: factors, parts and values."""
+"""What lowering and printing need of polynomials: factors, parts and values."""
 
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd
+from math import gcd, lcm
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from collections.abc import Set as AbstractSet
 
+    from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
 
 
@@ -18,11 +20,8 @@ def primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
     The factor is negative only when every coefficient is.
     """
     parts = [Fraction(int(c.numerator), int(c.denominator)) for _, c in polynomial.terms()]
-    below = 1
-    for part in parts:
-        below = below * part.denominator // gcd(below, part.denominator)
-    above = gcd(*(abs(int(part * below)) for part in parts))
-    factor = Fraction(above, below)
+    below = lcm(*(part.denominator for part in parts))
+    factor = Fraction(gcd(*(abs(int(part * below)) for part in parts)), below)
     if all(part < 0 for part in parts):
         factor = -factor
     domain = polynomial.ring.domain
@@ -41,7 +40,7 @@ def content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
     return common, polynomial.ring.from_dict(lowered)
 
 
-def split(polynomial: Polynomial, places: frozenset[int]) -> tuple[Polynomial, Polynomial]:
+def split(polynomial: Polynomial, places: AbstractSet[int]) -> tuple[Polynomial, Polynomial]:
     """The terms with any of these generators, and the others."""
     inside: dict[tuple[int, ...], object] = {}
     outside: dict[tuple[int, ...], object] = {}
@@ -75,5 +74,17 @@ def substitute(polynomial: Polynomial, change: Mapping[int, Polynomial]) -> Poly
         for place in sorted(change):
             if monomial[place]:
                 part = part * change[place] ** monomial[place]
+        total += part
+    return total
+
+
+def constant_value(algebra: Algebra, polynomial: Polynomial) -> float:
+    """A polynomial of lengths and twists with the arm's own numbers."""
+    values = {algebra.index[c.name]: c.value for c in algebra.chain.constants}
+    total = 0.0
+    for monomial, coefficient in polynomial.terms():
+        part = int(coefficient.numerator) / int(coefficient.denominator)
+        for place, exponent in enumerate(monomial):
+            part *= values[place] ** exponent if exponent else 1.0
         total += part
     return total
