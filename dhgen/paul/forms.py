@@ -90,6 +90,14 @@ class Form:
         return set(self.terms) <= {tuple(sorted(monomial)) for monomial in allowed}
 
 
+def common_angle_and_length(forms: Sequence[Form]) -> tuple[AngleSum, Length] | str:
+    """The unknowns of both equations, or why they are not one angle and one length."""
+    first, second = forms
+    if first.unknowns != second.unknowns or len(first.unknowns) != 2:
+        return "not the same two unknowns"
+    return first.angle_and_length or "the unknowns are not an angle and a length"
+
+
 @dataclass(frozen=True, slots=True)
 class _Content:
     """What an equation holds: places in `Algebra.angles`, and lengths."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.paul.forms import common_angle_and_length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
@@ -71,13 +72,11 @@ class _Letters:
 
 def _read(forms: Sequence[Form]) -> _Letters | str:
     """The equations in the type's letters, or why they have another shape."""
-    sines, cosines = forms
-    if sines.unknowns != cosines.unknowns or len(sines.unknowns) != 2:
-        return "not the same two unknowns"
-    pair = sines.angle_and_length
-    if pair is None:
-        return "the unknowns are not an angle and a length"
+    pair = common_angle_and_length(forms)
+    if isinstance(pair, str):
+        return pair
     angle, length = pair
+    sines, cosines = forms
     if not sines.within([(), (angle.sine,), (length.name,)]):
         return "the first equation is not X1 s = Y1 + Z1 r"
     if not cosines.within([(), (angle.cosine,), (length.name,)]):

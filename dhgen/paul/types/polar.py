@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.paul.forms import common_angle_and_length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
@@ -60,13 +61,11 @@ class _Letters:
 
 def _read(forms: Sequence[Form]) -> _Letters | str:
     """The equations in the type's letters, or why they have another shape."""
-    sines, cosines = forms
-    if sines.unknowns != cosines.unknowns or len(sines.unknowns) != 2:
-        return "not the same two unknowns"
-    pair = sines.angle_and_length
-    if pair is None:
-        return "the unknowns are not an angle and a length"
+    pair = common_angle_and_length(forms)
+    if isinstance(pair, str):
+        return pair
     angle, length = pair
+    sines, cosines = forms
     if not sines.within([(), (length.name, angle.sine)]):
         return "the first equation is not X1 r s = Y1"
     if not cosines.within([(), (length.name, angle.cosine)]):
