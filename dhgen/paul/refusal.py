@@ -50,6 +50,8 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     names = ", ".join(map(str, spare.joints))
     given = "one of them" if spare.count == 1 else f"{spare.count} of them"
     moved = f"joints {names} can be moved against each other without moving what the task names"
+    if len(spare.joints) == 1:
+        given, moved = "it", f"joint {names} can be moved without moving what the task names"
     first, *others = [*crowded_axes(chain), moved]
     lines = [
         f"the arm has infinitely many solutions for every pose: {first}",

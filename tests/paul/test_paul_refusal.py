@@ -42,6 +42,17 @@ def test_too_many_joints_for_the_task_are_said_first() -> None:
     assert "joints 1, 2, 3 can be moved against each other" in first
 
 
+def test_a_joint_that_moves_nothing_is_named_alone() -> None:
+    rows = [
+        "theta: q, a: 0.3, alpha: 90 deg",
+        "theta: q, a: 0.2, alpha: 90 deg",
+        "theta: q, d: 0.1",
+    ]
+    first, second, *_ = refused(*rows, task="[x, y]")
+    assert first.endswith("joint 3 can be moved without moving what the task names")
+    assert second == "name it under `free` to solve for the others with its value given"
+
+
 def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
     first, second, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
     assert first == (
