@@ -89,10 +89,15 @@ high4 = 2.7925300010000003  # highest value of joint 4
 low5 = -2.094395001  # lowest value of joint 5
 high5 = 2.094395001  # highest value of joint 5
 m1 = 1.0080160000000003e-24  # free_limit1^2 [m^2]
-m2 = 1.0160962562560006e-48  # free_limit_squared2^2 [m^4]
-m3 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m4
+m2 = 1.3488473906354537  # a coefficient of s3
+m3 = 0.9834871790128595  # a coefficient of s3
+m4 = 5.819313028170099  # a coefficient of s3
+m5 = 0.22796060440695423  # a coefficient of c3
+m6 = 1.8518518518518516  # a coefficient of X1_2
+m7 = 0.04297037037037035  # a coefficient of X1_2
+m8 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -531,177 +536,158 @@ def _regular(pose, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T31 - d1
     N3 = v1 + Z1_3 * Z1_3
-    K3 = N3 - k3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v3 = w3 - w3
-    v4 = k1 * K3
-    v5 = k2 * w3
-    s3_p = k4 * (v5 - v4)
-    v6 = k4 * (v4 + v5)
-    v7 = k2 * K3
-    v8 = k1 * w3
-    c3_p = k4 * (v7 + v8)
-    c3_m = k4 * (v7 - v8)
-    angle1 = _atan2(w3, K3)
+    v4 = m3 - m4 * N3
+    v5 = m2 * w3
+    s3_p = v4 + v5
+    s3_m = v4 - v5
+    v6 = m2 * N3 - m5
+    v7 = m4 * w3
+    c3_p = v6 + v7
+    c3_m = v6 - v7
+    angle1 = _atan2(w3, N3 - k3)
     q3__p = angle1 - turn1
-    v9 = turn1 + angle1
+    v8 = turn1 + angle1
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-    X1_2_m = a2 + (a3 * c3_m + d4 * v6)
-    Y1_2_p = d4 * c3_p + a3 * s3_p
-    Y1_2_m = d4 * c3_m - a3 * v6
-    v10 = Z1_3 * X1_2_p
-    v11 = Z1_3 * X1_2_m
-    v12 = w1 * Y1_2_p
-    v13 = w1 * Y1_2_m
-    S2_pp = v10 - v12
-    S2_pm = v11 - v13
-    S2_mp = v10 + v12
-    S2_mm = v11 + v13
-    v14 = w1 * X1_2_p
-    v15 = w1 * X1_2_m
-    v16 = Z1_3 * Y1_2_p
-    v17 = Z1_3 * Y1_2_m
-    C2_pp = v14 + v16
-    C2_pm = v15 + v17
-    C2_mp = v16 - v14
-    C2_mm = v17 - v15
-    v18 = S2_pp * S2_pp + C2_pp * C2_pp
-    v19 = S2_pm * S2_pm + C2_pm * C2_pm
-    v20 = S2_mp * S2_mp + C2_mp * C2_mp
-    v21 = S2_mm * S2_mm + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v18)
-    factor2_pm = 1.0 / math.sqrt(v19)
-    factor2_mp = 1.0 / math.sqrt(v20)
-    factor2_mm = 1.0 / math.sqrt(v21)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    c2_mm = C2_mm * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    X1_2 = m6 * N3 - m7
+    v9 = Z1_3 * X1_2
+    v10 = w3 * (m6 * w1)
+    S2_pp = v9 - v10
+    S2_pm = v9 + v10
+    v11 = w3 * (m6 * Z1_3)
+    v12 = w3 * (m6 * -Z1_3)
+    v13 = w1 * X1_2
+    v14 = w1 * -X1_2
+    C2_pp = v11 + v13
+    C2_pm = v12 + v13
+    C2_mp = v11 + v14
+    C2_mm = v12 + v14
+    factor2 = 1.0 / N3
 
     # theta4, type 2: U4[3, 3]
-    c23_pp = c3_p * c2_pp - s3_p * s2_pp
-    c23_pm = c3_m * c2_pm + v6 * s2_pm
-    c23_mp = c3_p * c2_mp - s3_p * s2_mp
-    c23_mm = c3_m * c2_mm + v6 * s2_mm
-    s23_pp = c3_p * s2_pp + s3_p * c2_pp
-    s23_pm = c3_m * s2_pm - v6 * c2_pm
-    s23_mp = c3_p * s2_mp + s3_p * c2_mp
-    s23_mm = c3_m * s2_mm - v6 * c2_mm
-    v22 = T21 * s1 - T11 * v2
-    c4_pp = T31 * s23_pp + c23_pp * v22
-    c4_pm = T31 * s23_pm + c23_pm * v22
-    c4_mp = T31 * s23_mp - c23_mp * v22
-    c4_mm = T31 * s23_mm - c23_mm * v22
-    v23 = T21 * v2 + T11 * s1
-    v24 = v23 * v23
-    v25 = v24 + c4_pp * c4_pp
-    v26 = v24 + c4_pm * c4_pm
-    v27 = v24 + c4_mp * c4_mp
-    v28 = v24 + c4_mm * c4_mm
-    angle1_ = _atan2(-v23, c4_pp)
-    angle1__ = _atan2(-v23, c4_pm)
-    angle1___ = _atan2(v23, c4_mp)
-    angle1____ = _atan2(v23, c4_mm)
-    v29 = math.copysign(half_turn, -v23) * h1
-    v30 = math.copysign(half_turn, v23) * h1
-    q4_ppm = angle1_ - v29
-    q4_pmm = angle1__ - v29
-    q4_mpm = angle1___ - v30
-    q4_mmm = angle1____ - v30
+    c23_pp = c3_p * C2_pp - s3_p * S2_pp
+    c23_pm = c3_m * C2_pm - s3_m * S2_pm
+    c23_mp = c3_p * C2_mp - s3_p * S2_pm
+    c23_mm = c3_m * C2_mm - s3_m * S2_pp
+    s23_pp = c3_p * S2_pp + s3_p * C2_pp
+    s23_pm = c3_m * S2_pm + s3_m * C2_pm
+    s23_mp = c3_p * S2_pm + s3_p * C2_mp
+    s23_mm = c3_m * S2_pp + s3_m * C2_mm
+    v15 = T21 * s1 - T11 * v2
+    c4_pp = T31 * s23_pp + c23_pp * v15
+    c4_pm = T31 * s23_pm + c23_pm * v15
+    c4_mp = T31 * s23_mp - c23_mp * v15
+    c4_mm = T31 * s23_mm - c23_mm * v15
+    v16 = T21 * v2 + T11 * s1
+    v17 = v16 * v16
+    v18 = factor2 * c4_pp
+    v19 = factor2 * c4_pm
+    v20 = factor2 * c4_mp
+    v21 = factor2 * c4_mm
+    v22 = v17 + factor2 * (c4_pp * v18)
+    v23 = v17 + factor2 * (c4_pm * v19)
+    v24 = v17 + factor2 * (c4_mp * v20)
+    v25 = v17 + factor2 * (c4_mm * v21)
+    angle1_ = _atan2(-v16, v18)
+    angle1__ = _atan2(-v16, v19)
+    angle1___ = _atan2(v16, v20)
+    angle1____ = _atan2(v16, v21)
+    v26 = math.copysign(half_turn, -v16) * h1
+    v27 = math.copysign(half_turn, v16) * h1
+    q4_ppm = angle1_ - v26
+    q4_pmm = angle1__ - v26
+    q4_mpm = angle1___ - v27
+    q4_mmm = angle1____ - v27
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v31 = s1 * T12 + v2 * T22
-    v32 = s1 * T22 - v2 * T12
-    v33 = v2 * T23 + s1 * T13
-    v34 = s1 * T23 - v2 * T13
-    v35 = v23 * (s23_pp * T33 + c23_pp * v34) - c4_pp * v33
-    v36 = v23 * (s23_pm * T33 + c23_pm * v34) - c4_pm * v33
-    v37 = c4_mp * v33 - v23 * (s23_mp * T33 - c23_mp * v34)
-    v38 = c4_mm * v33 - v23 * (s23_mm * T33 - c23_mm * v34)
-    angle1_____ = _atan2(v35, c4_pp * v31 - v23 * (s23_pp * T32 + c23_pp * v32))
-    angle1______ = _atan2(v36, c4_pm * v31 - v23 * (s23_pm * T32 + c23_pm * v32))
-    angle1_______ = _atan2(v37, v23 * (s23_mp * T32 - c23_mp * v32) - c4_mp * v31)
-    angle1________ = _atan2(v38, v23 * (s23_mm * T32 - c23_mm * v32) - c4_mm * v31)
-    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v35)
-    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v36)
-    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v37)
-    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v38)
+    v28 = s1 * T12 + v2 * T22
+    v29 = s1 * T22 - v2 * T12
+    v30 = v2 * T23 + s1 * T13
+    v31 = s1 * T23 - v2 * T13
+    v32 = v16 * (s23_pp * T33 + c23_pp * v31) - c4_pp * v30
+    v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30
+    v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
+    v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
+    angle1_____ = _atan2(v32, c4_pp * v28 - v16 * (s23_pp * T32 + c23_pp * v29))
+    angle1______ = _atan2(v33, c4_pm * v28 - v16 * (s23_pm * T32 + c23_pm * v29))
+    angle1_______ = _atan2(v34, v16 * (s23_mp * T32 - c23_mp * v29) - c4_mp * v28)
+    angle1________ = _atan2(v35, v16 * (s23_mm * T32 - c23_mm * v29) - c4_mm * v28)
+    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v32)
+    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v33)
+    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v34)
+    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v35)
 
     # joint values
     angle1_________ = _atan2(t24, -X1)
-    v39 = angle1_________ - offset1
-    v40 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
-    q1__p = v39 + (m5 if v39 <= -half_turn else 0.0)
-    q1__m = v40 + (m5 if v40 <= -half_turn else 0.0)
+    v36 = angle1_________ - offset1
+    v37 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+    q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
+    q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
     angle1__________ = _atan2(S2_pp, C2_pp)
-    v41 = angle1__________ - offset2
+    v38 = angle1__________ - offset2
     angle1___________ = _atan2(S2_pm, C2_pm)
-    v42 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_mp, C2_mp)
-    v43 = angle1____________ - offset2
-    angle1_____________ = _atan2(S2_mm, C2_mm)
-    v44 = angle1_____________ - offset2
-    q2_ppp = v41 + (m5 if v41 <= -half_turn else 0.0)
-    q2_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
-    q2_mpp = v43 + (m5 if v43 <= -half_turn else 0.0)
-    q2_mmp = v44 + (m5 if v44 <= -half_turn else 0.0)
-    angle1______________ = _atan2(math.sqrt(v25), s23_pp * v22 - T31 * c23_pp)
-    angle1_______________ = _atan2(math.sqrt(v26), s23_pm * v22 - T31 * c23_pm)
-    angle1________________ = _atan2(math.sqrt(v27), -(s23_mp * v22 + T31 * c23_mp))
-    angle1_________________ = _atan2(math.sqrt(v28), -(s23_mm * v22 + T31 * c23_mm))
-    v45 = angle1______________ - offset5
-    v46 = offset5 + angle1______________
-    v47 = angle1_______________ - offset5
-    v48 = offset5 + angle1_______________
-    v49 = angle1________________ - offset5
-    v50 = offset5 + angle1________________
-    v51 = angle1_________________ - offset5
-    v52 = offset5 + angle1_________________
-    q5_ppp = v45 + (m5 if v45 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v46 <= -half_turn else 0.0) - v46
-    q5_pmp = v47 + (m5 if v47 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v48 <= -half_turn else 0.0) - v48
-    q5_mpp = v49 + (m5 if v49 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v50 <= -half_turn else 0.0) - v50
-    q5_mmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-    q3_ppp = q3__p + (m5 if q3__p <= -half_turn else 0.0)
-    q3_pmp = (m5 if -v9 <= -half_turn else 0.0) - v9
-    v53 = q1__p < low1 or high1 < q1__p
-    v54 = q1__m < low1 or high1 < q1__m
-    v55 = q3_ppp < low3 or high3 < q3_ppp
-    v56 = q3_pmp < low3 or high3 < q3_pmp
+    v39 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_pm, C2_mp)
+    v40 = angle1____________ - offset2
+    angle1_____________ = _atan2(S2_pp, C2_mm)
+    v41 = angle1_____________ - offset2
+    q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
+    q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+    q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
+    q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
+    angle1______________ = _atan2(math.sqrt(v22), factor2 * (s23_pp * v15 - T31 * c23_pp))
+    angle1_______________ = _atan2(math.sqrt(v23), factor2 * (s23_pm * v15 - T31 * c23_pm))
+    angle1________________ = _atan2(math.sqrt(v24), -(factor2 * (s23_mp * v15 + T31 * c23_mp)))
+    angle1_________________ = _atan2(math.sqrt(v25), -(factor2 * (s23_mm * v15 + T31 * c23_mm)))
+    v42 = angle1______________ - offset5
+    v43 = offset5 + angle1______________
+    v44 = angle1_______________ - offset5
+    v45 = offset5 + angle1_______________
+    v46 = angle1________________ - offset5
+    v47 = offset5 + angle1________________
+    v48 = angle1_________________ - offset5
+    v49 = offset5 + angle1_________________
+    q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
+    q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
+    q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
+    q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
+    q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
+    q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
+    q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+    q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+    q3_ppp = q3__p + (m10 if q3__p <= -half_turn else 0.0)
+    q3_pmp = (m10 if -v8 <= -half_turn else 0.0) - v8
+    v50 = q1__p < low1 or high1 < q1__p
+    v51 = q1__m < low1 or high1 < q1__m
+    v52 = q3_ppp < low3 or high3 < q3_ppp
+    v53 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v57 = v55 or (v53 or (q2_ppp < low2 or high2 < q2_ppp))
-    v58 = v56 or (v53 or (q2_pmp < low2 or high2 < q2_pmp))
-    v59 = v55 or (v54 or (q2_mpp < low2 or high2 < q2_mpp))
-    v60 = v56 or (v54 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v57 or (angle1_ < low4 or high4 < angle1_))
-    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or (v57 or (q4_ppm < low4 or high4 < q4_ppm))
-    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v58 or (angle1__ < low4 or high4 < angle1__))
-    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or (v58 or (q4_pmm < low4 or high4 < q4_pmm))
+    v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
+    v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
+    v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
+    v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle1_ < low4 or high4 < angle1_))
+    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
+    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle1__ < low4 or high4 < angle1__))
+    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
     outside_mpp = (
-        q5_mpp < low5 or high5 < q5_mpp or (v59 or (angle1___ < low4 or high4 < angle1___))
+        q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle1___ < low4 or high4 < angle1___))
     )
-    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or (v59 or (q4_mpm < low4 or high4 < q4_mpm))
+    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
     outside_mmp = (
-        q5_mmp < low5 or high5 < q5_mmp or (v60 or (angle1____ < low4 or high4 < angle1____))
+        q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle1____ < low4 or high4 < angle1____))
     )
-    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or (v60 or (q4_mmm < low4 or high4 < q4_mmm))
-    doubt = (
-        v21 <= m2 or v28 <= m3 or (v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v1 <= m1 or
+    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
+    doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v18 <= m2 or v25 <= m3))))
+        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v25 <= m8 or (v24 <= m8 or
+        (v22 <= m8 or v23 <= m8)))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -952,144 +938,125 @@ def _in_tiles(T, q, status):
             s1 = t24 * factor1
             Z1_3 = T34 - d6 * T31 - d1
             N3 = v1 + Z1_3 * Z1_3
-            K3 = N3 - k3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v3 = w3 - w3
-            v4 = k1 * K3
-            v5 = k2 * w3
-            s3_p = k4 * (v5 - v4)
-            v6 = k4 * (v4 + v5)
-            v7 = k2 * K3
-            v8 = k1 * w3
-            c3_p = k4 * (v7 + v8)
-            c3_m = k4 * (v7 - v8)
-            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-            X1_2_m = a2 + (a3 * c3_m + d4 * v6)
-            Y1_2_p = d4 * c3_p + a3 * s3_p
-            Y1_2_m = d4 * c3_m - a3 * v6
-            v10 = Z1_3 * X1_2_p
-            v11 = Z1_3 * X1_2_m
-            v12 = w1 * Y1_2_p
-            v13 = w1 * Y1_2_m
-            S2_pp = v10 - v12
-            S2_pm = v11 - v13
-            S2_mp = v10 + v12
-            S2_mm = v11 + v13
-            v14 = w1 * X1_2_p
-            v15 = w1 * X1_2_m
-            v16 = Z1_3 * Y1_2_p
-            v17 = Z1_3 * Y1_2_m
-            C2_pp = v14 + v16
-            C2_pm = v15 + v17
-            C2_mp = v16 - v14
-            C2_mm = v17 - v15
-            v18 = S2_pp * S2_pp + C2_pp * C2_pp
-            v19 = S2_pm * S2_pm + C2_pm * C2_pm
-            v20 = S2_mp * S2_mp + C2_mp * C2_mp
-            v21 = S2_mm * S2_mm + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v18)
-            factor2_pm = 1.0 / math.sqrt(v19)
-            factor2_mp = 1.0 / math.sqrt(v20)
-            factor2_mm = 1.0 / math.sqrt(v21)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            c2_mm = C2_mm * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            c23_pp = c3_p * c2_pp - s3_p * s2_pp
-            c23_pm = c3_m * c2_pm + v6 * s2_pm
-            c23_mp = c3_p * c2_mp - s3_p * s2_mp
-            c23_mm = c3_m * c2_mm + v6 * s2_mm
-            s23_pp = c3_p * s2_pp + s3_p * c2_pp
-            s23_pm = c3_m * s2_pm - v6 * c2_pm
-            s23_mp = c3_p * s2_mp + s3_p * c2_mp
-            s23_mm = c3_m * s2_mm - v6 * c2_mm
-            v22 = T21 * s1 - T11 * v2
-            c4_pp = T31 * s23_pp + c23_pp * v22
-            c4_pm = T31 * s23_pm + c23_pm * v22
-            c4_mp = T31 * s23_mp - c23_mp * v22
-            c4_mm = T31 * s23_mm - c23_mm * v22
-            v23 = T21 * v2 + T11 * s1
-            v24 = v23 * v23
-            v25 = v24 + c4_pp * c4_pp
-            v26 = v24 + c4_pm * c4_pm
-            v27 = v24 + c4_mp * c4_mp
-            v28 = v24 + c4_mm * c4_mm
-            v29 = math.copysign(half_turn, -v23) * h1
-            v30 = math.copysign(half_turn, v23) * h1
-            v31 = s1 * T12 + v2 * T22
-            v32 = s1 * T22 - v2 * T12
-            v33 = v2 * T23 + s1 * T13
-            v34 = s1 * T23 - v2 * T13
-            v35 = v23 * (s23_pp * T33 + c23_pp * v34) - c4_pp * v33
-            v36 = v23 * (s23_pm * T33 + c23_pm * v34) - c4_pm * v33
-            v37 = c4_mp * v33 - v23 * (s23_mp * T33 - c23_mp * v34)
-            v38 = c4_mm * v33 - v23 * (s23_mm * T33 - c23_mm * v34)
-            doubt = (
-                v21 <= m2 or v28 <= m3 or (v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v1
-                <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
-                N3 and N3 < longest3_apart) or (v18 <= m2 or v25 <= m3))))
+            v4 = m3 - m4 * N3
+            v5 = m2 * w3
+            s3_p = v4 + v5
+            s3_m = v4 - v5
+            v6 = m2 * N3 - m5
+            v7 = m4 * w3
+            c3_p = v6 + v7
+            c3_m = v6 - v7
+            X1_2 = m6 * N3 - m7
+            v9 = Z1_3 * X1_2
+            v10 = w3 * (m6 * w1)
+            S2_pp = v9 - v10
+            S2_pm = v9 + v10
+            v11 = w3 * (m6 * Z1_3)
+            v12 = w3 * (m6 * -Z1_3)
+            v13 = w1 * X1_2
+            v14 = w1 * -X1_2
+            C2_pp = v11 + v13
+            C2_pm = v12 + v13
+            C2_mp = v11 + v14
+            C2_mm = v12 + v14
+            factor2 = 1.0 / N3
+            c23_pp = c3_p * C2_pp - s3_p * S2_pp
+            c23_pm = c3_m * C2_pm - s3_m * S2_pm
+            c23_mp = c3_p * C2_mp - s3_p * S2_pm
+            c23_mm = c3_m * C2_mm - s3_m * S2_pp
+            s23_pp = c3_p * S2_pp + s3_p * C2_pp
+            s23_pm = c3_m * S2_pm + s3_m * C2_pm
+            s23_mp = c3_p * S2_pm + s3_p * C2_mp
+            s23_mm = c3_m * S2_pp + s3_m * C2_mm
+            v15 = T21 * s1 - T11 * v2
+            c4_pp = T31 * s23_pp + c23_pp * v15
+            c4_pm = T31 * s23_pm + c23_pm * v15
+            c4_mp = T31 * s23_mp - c23_mp * v15
+            c4_mm = T31 * s23_mm - c23_mm * v15
+            v16 = T21 * v2 + T11 * s1
+            v17 = v16 * v16
+            v18 = factor2 * c4_pp
+            v19 = factor2 * c4_pm
+            v20 = factor2 * c4_mp
+            v21 = factor2 * c4_mm
+            v22 = v17 + factor2 * (c4_pp * v18)
+            v23 = v17 + factor2 * (c4_pm * v19)
+            v24 = v17 + factor2 * (c4_mp * v20)
+            v25 = v17 + factor2 * (c4_mm * v21)
+            v26 = math.copysign(half_turn, -v16) * h1
+            v27 = math.copysign(half_turn, v16) * h1
+            v28 = s1 * T12 + v2 * T22
+            v29 = s1 * T22 - v2 * T12
+            v30 = v2 * T23 + s1 * T13
+            v31 = s1 * T23 - v2 * T13
+            v32 = v16 * (s23_pp * T33 + c23_pp * v31) - c4_pp * v30
+            v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30
+            v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
+            v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
+            doubt1 = (
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v25 <= m8 or (v24
+                <= m8 or (v22 <= m8 or v23 <= m8)))))
             )
             work[544 + k] = t24
             work[576 + k] = v3
-            work[608 + k] = v29
-            work[640 + k] = v30
-            work[672 + k] = v35
-            work[704 + k] = v36
-            work[736 + k] = v37
-            work[768 + k] = v38
-            work[800 + k] = doubt
+            work[608 + k] = v26
+            work[640 + k] = v27
+            work[672 + k] = v32
+            work[704 + k] = v33
+            work[736 + k] = v34
+            work[768 + k] = v35
+            work[800 + k] = doubt1
             work[832 + k] = w3
-            work[864 + k] = -v23
-            work[896 + k] = -v23
-            work[928 + k] = v23
-            work[960 + k] = v23
-            work[992 + k] = v35
-            work[1024 + k] = v36
-            work[1056 + k] = v37
-            work[1088 + k] = v38
+            work[864 + k] = -v16
+            work[896 + k] = -v16
+            work[928 + k] = v16
+            work[960 + k] = v16
+            work[992 + k] = v32
+            work[1024 + k] = v33
+            work[1056 + k] = v34
+            work[1088 + k] = v35
             work[1120 + k] = t24
             work[1152 + k] = S2_pp
             work[1184 + k] = S2_pm
-            work[1216 + k] = S2_mp
-            work[1248 + k] = S2_mm
-            work[1280 + k] = math.sqrt(v25)
-            work[1312 + k] = math.sqrt(v26)
-            work[1344 + k] = math.sqrt(v27)
-            work[1376 + k] = math.sqrt(v28)
-            work[1408 + k] = K3
-            work[1440 + k] = c4_pp
-            work[1472 + k] = c4_pm
-            work[1504 + k] = c4_mp
-            work[1536 + k] = c4_mm
-            work[1568 + k] = c4_pp * v31 - v23 * (s23_pp * T32 + c23_pp * v32)
-            work[1600 + k] = c4_pm * v31 - v23 * (s23_pm * T32 + c23_pm * v32)
-            work[1632 + k] = v23 * (s23_mp * T32 - c23_mp * v32) - c4_mp * v31
-            work[1664 + k] = v23 * (s23_mm * T32 - c23_mm * v32) - c4_mm * v31
+            work[1216 + k] = S2_pm
+            work[1248 + k] = S2_pp
+            work[1280 + k] = math.sqrt(v22)
+            work[1312 + k] = math.sqrt(v23)
+            work[1344 + k] = math.sqrt(v24)
+            work[1376 + k] = math.sqrt(v25)
+            work[1408 + k] = N3 - k3
+            work[1440 + k] = v18
+            work[1472 + k] = v19
+            work[1504 + k] = v20
+            work[1536 + k] = v21
+            work[1568 + k] = c4_pp * v28 - v16 * (s23_pp * T32 + c23_pp * v29)
+            work[1600 + k] = c4_pm * v28 - v16 * (s23_pm * T32 + c23_pm * v29)
+            work[1632 + k] = v16 * (s23_mp * T32 - c23_mp * v29) - c4_mp * v28
+            work[1664 + k] = v16 * (s23_mm * T32 - c23_mm * v29) - c4_mm * v28
             work[1696 + k] = -X1
             work[1728 + k] = C2_pp
             work[1760 + k] = C2_pm
             work[1792 + k] = C2_mp
             work[1824 + k] = C2_mm
-            work[1856 + k] = s23_pp * v22 - T31 * c23_pp
-            work[1888 + k] = s23_pm * v22 - T31 * c23_pm
-            work[1920 + k] = -(s23_mp * v22 + T31 * c23_mp)
-            work[1952 + k] = -(s23_mm * v22 + T31 * c23_mm)
+            work[1856 + k] = factor2 * (s23_pp * v15 - T31 * c23_pp)
+            work[1888 + k] = factor2 * (s23_pm * v15 - T31 * c23_pm)
+            work[1920 + k] = -(factor2 * (s23_mp * v15 + T31 * c23_mp))
+            work[1952 + k] = -(factor2 * (s23_mm * v15 + T31 * c23_mm))
         for k in range(832, 1408):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             t24 = work[544 + k]
             v3 = work[576 + k]
-            v29 = work[608 + k]
-            v30 = work[640 + k]
-            v35 = work[672 + k]
-            v36 = work[704 + k]
-            v37 = work[736 + k]
-            v38 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v26 = work[608 + k]
+            v27 = work[640 + k]
+            v32 = work[672 + k]
+            v33 = work[704 + k]
+            v34 = work[736 + k]
+            v35 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1109,79 +1076,79 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1344 + k]
             angle1_________________ = work[1376 + k]
             q3__p = angle1 - turn1
-            v9 = turn1 + angle1
-            q4_ppm = angle1_ - v29
-            q4_pmm = angle1__ - v29
-            q4_mpm = angle1___ - v30
-            q4_mmm = angle1____ - v30
-            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v35)
-            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v36)
-            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v37)
-            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v38)
-            v39 = angle1_________ - offset1
-            v40 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
-            q1__p = v39 + (m5 if v39 <= -half_turn else 0.0)
-            q1__m = v40 + (m5 if v40 <= -half_turn else 0.0)
-            v41 = angle1__________ - offset2
-            v42 = angle1___________ - offset2
-            v43 = angle1____________ - offset2
-            v44 = angle1_____________ - offset2
-            q2_ppp = v41 + (m5 if v41 <= -half_turn else 0.0)
-            q2_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
-            q2_mpp = v43 + (m5 if v43 <= -half_turn else 0.0)
-            q2_mmp = v44 + (m5 if v44 <= -half_turn else 0.0)
-            v45 = angle1______________ - offset5
-            v46 = offset5 + angle1______________
-            v47 = angle1_______________ - offset5
-            v48 = offset5 + angle1_______________
-            v49 = angle1________________ - offset5
-            v50 = offset5 + angle1________________
-            v51 = angle1_________________ - offset5
-            v52 = offset5 + angle1_________________
-            q5_ppp = v45 + (m5 if v45 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v46 <= -half_turn else 0.0) - v46
-            q5_pmp = v47 + (m5 if v47 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v48 <= -half_turn else 0.0) - v48
-            q5_mpp = v49 + (m5 if v49 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v50 <= -half_turn else 0.0) - v50
-            q5_mmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-            q3_ppp = q3__p + (m5 if q3__p <= -half_turn else 0.0)
-            q3_pmp = (m5 if -v9 <= -half_turn else 0.0) - v9
-            v53 = q1__p < low1 or high1 < q1__p
-            v54 = q1__m < low1 or high1 < q1__m
-            v55 = q3_ppp < low3 or high3 < q3_ppp
-            v56 = q3_pmp < low3 or high3 < q3_pmp
+            v8 = turn1 + angle1
+            q4_ppm = angle1_ - v26
+            q4_pmm = angle1__ - v26
+            q4_mpm = angle1___ - v27
+            q4_mmm = angle1____ - v27
+            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v32)
+            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v33)
+            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v34)
+            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v35)
+            v36 = angle1_________ - offset1
+            v37 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+            q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
+            q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
+            v38 = angle1__________ - offset2
+            v39 = angle1___________ - offset2
+            v40 = angle1____________ - offset2
+            v41 = angle1_____________ - offset2
+            q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
+            q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+            q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
+            q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
+            v42 = angle1______________ - offset5
+            v43 = offset5 + angle1______________
+            v44 = angle1_______________ - offset5
+            v45 = offset5 + angle1_______________
+            v46 = angle1________________ - offset5
+            v47 = offset5 + angle1________________
+            v48 = angle1_________________ - offset5
+            v49 = offset5 + angle1_________________
+            q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
+            q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
+            q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
+            q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
+            q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
+            q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
+            q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+            q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+            q3_ppp = q3__p + (m10 if q3__p <= -half_turn else 0.0)
+            q3_pmp = (m10 if -v8 <= -half_turn else 0.0) - v8
+            v50 = q1__p < low1 or high1 < q1__p
+            v51 = q1__m < low1 or high1 < q1__m
+            v52 = q3_ppp < low3 or high3 < q3_ppp
+            v53 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v57 = v55 or (v53 or (q2_ppp < low2 or high2 < q2_ppp))
-            v58 = v56 or (v53 or (q2_pmp < low2 or high2 < q2_pmp))
-            v59 = v55 or (v54 or (q2_mpp < low2 or high2 < q2_mpp))
-            v60 = v56 or (v54 or (q2_mmp < low2 or high2 < q2_mmp))
+            v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
+            v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
+            v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
+            v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
             outside_ppp = (
-                q5_ppp < low5 or high5 < q5_ppp or (v57 or (angle1_ < low4 or high4 < angle1_))
+                q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle1_ < low4 or high4 < angle1_))
             )
             outside_ppm = (
-                q5_ppm < low5 or high5 < q5_ppm or (v57 or (q4_ppm < low4 or high4 < q4_ppm))
+                q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
             )
             outside_pmp = (
-                q5_pmp < low5 or high5 < q5_pmp or (v58 or (angle1__ < low4 or high4 < angle1__))
+                q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle1__ < low4 or high4 < angle1__))
             )
             outside_pmm = (
-                q5_pmm < low5 or high5 < q5_pmm or (v58 or (q4_pmm < low4 or high4 < q4_pmm))
+                q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
             )
             outside_mpp = (
-                q5_mpp < low5 or high5 < q5_mpp or (v59 or (angle1___ < low4 or high4 < angle1___))
+                q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle1___ < low4 or high4 < angle1___))
             )
             outside_mpm = (
-                q5_mpm < low5 or high5 < q5_mpm or (v59 or (q4_mpm < low4 or high4 < q4_mpm))
+                q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
             )
             outside_mmp = (
-                q5_mmp < low5 or high5 < q5_mmp or (v60 or (angle1____ < low4 or high4 <
+                q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle1____ < low4 or high4 <
                 angle1____))
             )
             outside_mmm = (
-                q5_mmm < low5 or high5 < q5_mmm or (v60 or (q4_mmm < low4 or high4 < q4_mmm))
+                q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
             )
             _1984 = q1_ppp
             work[1984 + k] = _1984
@@ -1271,7 +1238,7 @@ def _in_tiles(T, q, status):
             work[3232 + k] = (
                 UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

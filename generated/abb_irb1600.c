@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef ABB_IRB1600_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DABB_IRB1600_SCALAR. With -DABB_IRB1600_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(ABB_IRB1600_SCALAR) && !defined(ABB_IRB1600_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef ABB_IRB1600_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & ABB_IRB1600_UNREACHABLE) \
+        | (~(none) & (outside) & ABB_IRB1600_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)ABB_IRB1600_UNREACHABLE \
+        : (outside) ? (int)ABB_IRB1600_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.4865; /* joint offset 1 [m] */
 static const double a1 = 0.15; /* link length 1 [m] */
 static const double a2 = 0.7; /* link length 2 [m] */
@@ -37,9 +339,12 @@ static const double k2 = 0.8499999999999999; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 1.4172335600907033; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 4.00600225e-24; /* free_limit1^2 [m^2] */
-static const double m3 = 1.604805402700506e-47; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 0.7142857142857144; /* a coefficient of S2 */
+static const double m4 = 0.09285714285714279; /* a coefficient of S2 */
+static const double m5 = 0.8333333333333335; /* a coefficient of v9 */
+static const double m6 = 0.10833333333333327; /* a coefficient of v9 */
+static const double m7 = 1e-24; /* free_limit^2 */
+static const double m8 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb1600_branches[8] = {
@@ -51,12 +356,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void abb_irb1600_fk(const double q[6], double T[16])
 {
@@ -232,209 +531,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef ABB_IRB1600_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DABB_IRB1600_SCALAR. With -DABB_IRB1600_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(ABB_IRB1600_SCALAR) && !defined(ABB_IRB1600_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef ABB_IRB1600_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ABB_IRB1600_UNREACHABLE) \
-        | (~(none) & (outside) & ABB_IRB1600_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)ABB_IRB1600_UNREACHABLE \
-        : (outside) ? (int)ABB_IRB1600_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -464,162 +560,154 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v6 = k1 * (N3_p - k2);
     const wide v7 = k1 * (N3_m - k2);
-    const wide s3_p = k3 * v6;
-    const wide s3_m = k3 * v7;
-    const wide v8 = k1 * w3_p;
-    const wide v9 = k1 * w3_m;
-    const wide v10 = k3 * v8;
-    const wide v11 = k3 * v9;
 
     /* theta2 */
-    const wide v12 = d4 * v10;
-    const wide v13 = d4 * v11;
-    const wide Y1_2_p = a2 + d4 * s3_p;
-    const wide Y1_2_m = a2 + d4 * s3_m;
-    const wide v14 = Z1_3 * Y1_2_p;
-    const wide v15 = Z1_3 * Y1_2_m;
-    const wide v16 = v3 * v12;
-    const wide v17 = v4 * v13;
-    const wide S2_pp = v16 - v14;
-    const wide v18 = v14 + v16;
-    const wide S2_mp = v17 - v15;
-    const wide v19 = v15 + v17;
-    const wide v20 = v3 * Y1_2_p;
-    const wide v21 = v4 * Y1_2_m;
-    const wide v22 = Z1_3 * v12;
-    const wide v23 = Z1_3 * v13;
-    const wide v24 = v20 + v22;
-    const wide v25 = v20 - v22;
-    const wide v26 = v21 + v23;
-    const wide v27 = v21 - v23;
-    const wide v28 = S2_pp * S2_pp + v24 * v24;
-    const wide v29 = v18 * v18 + v25 * v25;
-    const wide v30 = S2_mp * S2_mp + v26 * v26;
-    const wide v31 = v19 * v19 + v27 * v27;
-    const wide factor2_pp = 1.0 / sqrt_wide(v28);
-    const wide factor2_pm = 1.0 / sqrt_wide(v29);
-    const wide factor2_mp = 1.0 / sqrt_wide(v30);
-    const wide factor2_mm = 1.0 / sqrt_wide(v31);
-    const wide v32 = v24 * factor2_pp;
-    const wide v33 = v25 * factor2_pm;
-    const wide v34 = v26 * factor2_mp;
-    const wide v35 = v27 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide v36 = v18 * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide v37 = v19 * factor2_mm;
+    const wide v8 = m4 + m3 * N3_p;
+    const wide v9 = m4 + m3 * N3_m;
+    const wide v10 = Z1_3 * v8;
+    const wide v11 = Z1_3 * v9;
+    const wide v12 = m3 * Z1_3;
+    const wide v13 = m3 * -Z1_3;
+    const wide v14 = v3 * v8;
+    const wide v15 = v4 * v9;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v38 = s3_p * s2_pp - v10 * v32;
-    const wide v39 = v10 * v33 - s3_p * v36;
-    const wide v40 = s3_m * s2_mp - v11 * v34;
-    const wide v41 = v11 * v35 - s3_m * v37;
-    const wide v42 = s3_p * v32 + v10 * s2_pp;
-    const wide v43 = s3_p * v33 + v10 * v36;
-    const wide v44 = s3_m * v34 + v11 * s2_mp;
-    const wide v45 = s3_m * v35 + v11 * v37;
-    const wide v46 = T23 * s1 - T13 * v2;
-    const wide X4_pp = v38 * v46 - T33 * v42;
-    const wide X4_pm = v39 * v46 - T33 * v43;
-    const wide v47 = v40 * v46 + T33 * v44;
-    const wide v48 = v41 * v46 + T33 * v45;
-    const wide v49 = T23 * v2 + T13 * s1;
-    const wide v50 = v49 * v49;
-    const wide v51 = v50 + X4_pp * X4_pp;
-    const wide v52 = v50 + X4_pm * X4_pm;
-    const wide v53 = v50 + v47 * v47;
-    const wide v54 = v50 + v48 * v48;
+    const wide v16 = m6 - m5 * N3_p;
+    const wide v17 = m6 - m5 * N3_m;
+    const wide v18 = T23 * s1 - T13 * v2;
+    const wide v19 = T33 * Z1_3;
+    const wide v20 = v19 - v3 * v18;
+    const wide v21 = v19 - v18 * -v4;
+    const wide v22 = Z1_3 * v16;
+    const wide v23 = Z1_3 * -v17;
+    const wide v24 = T33 * v16;
+    const wide v25 = T33 * v17;
+    const wide v26 = v18 * v22 + v3 * v24;
+    const wide v27 = v18 * v23 + v4 * v25;
+    const wide X4_pp = v26 + w3_p * (m5 * v20);
+    const wide X4_pm = v26 + w3_p * (m5 * -v20);
+    const wide X4_mp = v27 + w3_m * (m5 * v21);
+    const wide X4_mm = v27 + w3_m * (m5 * -v21);
+    const wide v28 = T23 * v2 + T13 * s1;
+    const wide v29 = v28 * v28;
+    const wide v30 = factor2_p * X4_pp;
+    const wide v31 = factor2_p * X4_pm;
+    const wide v32 = factor2_m * X4_mp;
+    const wide v33 = factor2_m * X4_mm;
+    const wide v34 = v29 + factor2_p * (X4_pp * v30);
+    const wide v35 = v29 + factor2_p * (X4_pm * v31);
+    const wide v36 = v29 + factor2_m * (X4_mp * v32);
+    const wide v37 = v29 + factor2_m * (X4_mm * v33);
+
+    /* theta5 */
+    const wide v38 = v18 * (v3 * -v16) + Z1_3 * v24;
+    const wide v39 = v18 * (v4 * v17) + Z1_3 * v25;
 
     /* theta6 */
-    const wide v55 = s1 * T12 + v2 * T22;
-    const wide v56 = s1 * T22 - v2 * T12;
-    const wide v57 = s1 * T11 + v2 * T21;
-    const wide v58 = s1 * T21 - v2 * T11;
-    const wide v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31);
-    const wide v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31);
-    const wide v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57;
-    const wide v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57;
-    const wide angle1_ = atan2_wide(v59, v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32));
-    const wide angle1__ = atan2_wide(v60, v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32));
-    const wide angle1___ = atan2_wide(v61, v49 * (v40 * v56 + v44 * T32) - v47 * v55);
-    const wide angle1____ = atan2_wide(v62, v49 * (v41 * v56 + v45 * T32) - v48 * v55);
-    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v59) * h1;
-    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v60) * h1;
-    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v61) * h1;
-    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v62) * h1;
+    const wide v40 = s1 * T12 + v2 * T22;
+    const wide v41 = s1 * T22 - v2 * T12;
+    const wide v42 = Z1_3 * T32;
+    const wide v43 = v42 - v3 * v41;
+    const wide v44 = v42 - -v4 * v41;
+    const wide v45 = v22 * v41 + v3 * (v16 * T32);
+    const wide v46 = v23 * v41 + v4 * (v17 * T32);
+    const wide v47 = s1 * T11 + v2 * T21;
+    const wide v48 = s1 * T21 - v2 * T11;
+    const wide v49 = Z1_3 * T31;
+    const wide v50 = v49 - v3 * v48;
+    const wide v51 = v49 - -v4 * v48;
+    const wide v52 = v22 * v48 + v3 * (v16 * T31);
+    const wide v53 = v23 * v48 + v4 * (v17 * T31);
+    const wide v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47;
+    const wide v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47;
+    const wide v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51));
+    const wide v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51));
+    const wide angle1_ = atan2_wide(v54, v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40);
+    const wide angle1__ = atan2_wide(v55, v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40);
+    const wide angle1___ = atan2_wide(v56, X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44)));
+    const wide angle1____ = atan2_wide(v57, X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44)));
+    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v54) * h1;
+    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v55) * h1;
+    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v56) * h1;
+    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v57) * h1;
 
     /* joint values */
-    const wide angle1_____ = atan2_wide(S2_pp, -v24);
-    const wide v63 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(-v18, -v25);
-    const wide v64 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(S2_mp, -v26);
-    const wide v65 = angle1_______ - offset2;
-    const wide angle1________ = atan2_wide(-v19, -v27);
-    const wide v66 = angle1________ - offset2;
-    const wide q2_ppp = v63 - pick_wide(half_turn < v63, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v64 - pick_wide(half_turn < v64, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v65 - pick_wide(half_turn < v65, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v66 - pick_wide(half_turn < v66, all_wide(m5), all_wide(0.0));
-    const wide angle1_________ = atan2_wide(v6, -v8);
-    const wide angle1__________ = atan2_wide(v7, -v9);
-    const wide v67 = angle1_________ - offset3;
-    const wide v68 = h1 * copysign_wide(all_wide(half_turn), v6) - angle1_________ - offset3;
-    const wide v69 = angle1__________ - offset3;
-    const wide v70 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
-    const wide q3_ppp = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_pmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_mpp = v69 + pick_wide(v69 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide angle1___________ = atan2_wide(-v49, -X4_pp);
-    const wide angle1____________ = atan2_wide(-v49, -X4_pm);
-    const wide angle1_____________ = atan2_wide(v49, v47);
-    const wide angle1______________ = atan2_wide(v49, v48);
-    const wide v71 = h1 * copysign_wide(all_wide(half_turn), -v49);
-    const wide v72 = h1 * copysign_wide(all_wide(half_turn), v49);
-    const wide v73 = angle1___________ - offset4;
-    const wide v74 = angle1___________ - v71 - offset4;
-    const wide v75 = angle1____________ - offset4;
-    const wide v76 = angle1____________ - v71 - offset4;
-    const wide v77 = angle1_____________ - offset4;
-    const wide v78 = angle1_____________ - v72 - offset4;
-    const wide v79 = angle1______________ - offset4;
-    const wide v80 = angle1______________ - v72 - offset4;
-    const wide q4_ppp = v73 + pick_wide(v73 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_ppm = v74 + pick_wide(v74 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpp = v77 + pick_wide(v77 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpm = v78 + pick_wide(v78 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v51), T33 * v38 + v42 * v46);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v52), T33 * v39 + v43 * v46);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v53), T33 * v40 - v44 * v46);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v54), T33 * v41 - v45 * v46);
-    const wide v81 = angle1_______________ - offset5;
-    const wide v82 = offset5 + angle1_______________;
-    const wide v83 = angle1________________ - offset5;
-    const wide v84 = offset5 + angle1________________;
-    const wide v85 = angle1_________________ - offset5;
-    const wide v86 = offset5 + angle1_________________;
-    const wide v87 = angle1__________________ - offset5;
-    const wide v88 = offset5 + angle1__________________;
-    const wide q5_ppp = v81 + pick_wide(v81 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v82 <= -half_turn, all_wide(m5), all_wide(0.0)) - v82;
-    const wide q5_pmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v84 <= -half_turn, all_wide(m5), all_wide(0.0)) - v84;
-    const wide q5_mpp = v85 + pick_wide(v85 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v86 <= -half_turn, all_wide(m5), all_wide(0.0)) - v86;
-    const wide q5_mmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v88 <= -half_turn, all_wide(m5), all_wide(0.0)) - v88;
+    const wide v58 = w3_p * (m3 * v3);
+    const wide angle1_____ = atan2_wide(v58 - v10, -(v14 + w3_p * v12));
+    const wide v59 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(-(v10 + v58), -(v14 + w3_p * v13));
+    const wide v60 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(w3_m * (m3 * v4) - v11, -(v15 + w3_m * v12));
+    const wide v61 = angle1_______ - offset2;
+    const wide angle1________ = atan2_wide(w3_m * (m3 * -v4) - v11, -(v15 + w3_m * v13));
+    const wide v62 = angle1________ - offset2;
+    const wide q2_ppp = v59 - pick_wide(half_turn < v59, all_wide(m8), all_wide(0.0));
+    const wide q2_pmp = v60 - pick_wide(half_turn < v60, all_wide(m8), all_wide(0.0));
+    const wide q2_mpp = v61 - pick_wide(half_turn < v61, all_wide(m8), all_wide(0.0));
+    const wide q2_mmp = v62 - pick_wide(half_turn < v62, all_wide(m8), all_wide(0.0));
+    const wide angle1_________ = atan2_wide(v6, -(k1 * w3_p));
+    const wide angle1__________ = atan2_wide(v7, -(k1 * w3_m));
+    const wide v63 = angle1_________ - offset3;
+    const wide v64 = h1 * copysign_wide(all_wide(half_turn), v6) - angle1_________ - offset3;
+    const wide v65 = angle1__________ - offset3;
+    const wide v66 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
+    const wide q3_ppp = v63 + pick_wide(v63 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_pmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide angle1___________ = atan2_wide(-v28, -v30);
+    const wide angle1____________ = atan2_wide(-v28, -v31);
+    const wide angle1_____________ = atan2_wide(v28, -v32);
+    const wide angle1______________ = atan2_wide(v28, -v33);
+    const wide v67 = h1 * copysign_wide(all_wide(half_turn), -v28);
+    const wide v68 = h1 * copysign_wide(all_wide(half_turn), v28);
+    const wide v69 = angle1___________ - offset4;
+    const wide v70 = angle1___________ - v67 - offset4;
+    const wide v71 = angle1____________ - offset4;
+    const wide v72 = angle1____________ - v67 - offset4;
+    const wide v73 = angle1_____________ - offset4;
+    const wide v74 = angle1_____________ - v68 - offset4;
+    const wide v75 = angle1______________ - offset4;
+    const wide v76 = angle1______________ - v68 - offset4;
+    const wide q4_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v34), factor2_p * (v38 - v77));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v35), factor2_p * (v38 + v77));
+    const wide v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v36), factor2_m * (v39 - v78));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v37), factor2_m * (v39 + v78));
+    const wide v79 = angle1_______________ - offset5;
+    const wide v80 = offset5 + angle1_______________;
+    const wide v81 = angle1________________ - offset5;
+    const wide v82 = offset5 + angle1________________;
+    const wide v83 = angle1_________________ - offset5;
+    const wide v84 = offset5 + angle1_________________;
+    const wide v85 = angle1__________________ - offset5;
+    const wide v86 = offset5 + angle1__________________;
+    const wide q5_ppp = v79 + pick_wide(v79 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v80 <= -half_turn, all_wide(m8), all_wide(0.0)) - v80;
+    const wide q5_pmp = v81 + pick_wide(v81 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v82 <= -half_turn, all_wide(m8), all_wide(0.0)) - v82;
+    const wide q5_mpp = v83 + pick_wide(v83 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v84 <= -half_turn, all_wide(m8), all_wide(0.0)) - v84;
+    const wide q5_mmp = v85 + pick_wide(v85 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v86 <= -half_turn, all_wide(m8), all_wide(0.0)) - v86;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt = ((v31 <= m3) | (v54 <= m4)) | (((v30 <= m3) | (v53 <= m4)) | (((v29 <=
-        m3) | (v52 <= m4)) | (((v28 <= m3) | (v51 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
-        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v37 <= m7) | ((v36 <= m7) |
+        ((v35 <= m7) | ((v1 <= m1) | (v34 <= m7))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -678,73 +766,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -774,125 +799,88 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four N3 = v5 + v4 * v4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v6 = k1 * (N3 - k2);
-    const four s3 = k3 * v6;
-    const four v7 = k1 * w3;
-    const four v8 = k3 * v7;
 
     /* theta2 */
-    const four v9 = d4 * v8;
-    const four Y1_2 = a2 + d4 * s3;
-    const four v10 = Z1_3 * Y1_2;
-    const four v11 = v4 * v9;
-    const four S2 = e2 * v11 - v10;
-    const four v12 = v4 * Y1_2;
-    const four v13 = Z1_3 * v9;
-    const four v14 = v12 + e2 * v13;
-    const four v15 = S2 * S2 + v14 * v14;
-    const four factor2 = 1.0 / sqrt_four(v15);
-    const four v16 = v14 * factor2;
-    const four s2 = S2 * factor2;
+    const four v7 = m4 + m3 * N3;
+    const four v8 = Z1_3 * v7;
+    const four v9 = m3 * (e2 * Z1_3);
+    const four v10 = v4 * v7;
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four v17 = s3 * s2 - e2 * (v8 * v16);
-    const four v18 = s3 * v16 + e2 * (v8 * s2);
-    const double v19 = T23 * s1 - T13 * v2;
-    const four X4 = e1 * (v17 * v19) - T33 * v18;
-    const double v20 = T23 * v2 + T13 * s1;
-    const double v21 = v20 * v20;
-    const four v22 = v21 + X4 * X4;
+    const four v11 = m6 - m5 * N3;
+    const double v12 = T23 * s1 - T13 * v2;
+    const four v13 = e1 * v4;
+    const double v14 = T33 * Z1_3;
+    const four v15 = v14 - v12 * v13;
+    const four v16 = Z1_3 * (e1 * v11);
+    const four v17 = T33 * v11;
+    const four v18 = v12 * v16 + v4 * v17;
+    const four X4 = v18 + w3 * (m5 * (e2 * v15));
+    const double v19 = T23 * v2 + T13 * s1;
+    const double v20 = v19 * v19;
+    const four v21 = factor2 * X4;
+    const four v22 = v20 + factor2 * (X4 * v21);
+    const four_mask doubt3 = v22 <= m7;
+
+    /* theta5 */
+    const four v23 = v12 * (e1 * Z1_3) + T33 * v4;
+    const four v24 = v12 * (v4 * (e1 * -v11)) + Z1_3 * v17;
 
     /* theta6 */
-    const double v23 = s1 * T12 + v2 * T22;
-    const double v24 = s1 * T22 - v2 * T12;
-    const double v25 = s1 * T11 + v2 * T21;
-    const double v26 = s1 * T21 - v2 * T11;
-    const four v27 = e1 * (v25 * -X4 + v20 * (e1 * (v17 * v26) - v18 * T31));
+    const double v25 = s1 * T12 + v2 * T22;
+    const double v26 = s1 * T22 - v2 * T12;
+    const double v27 = Z1_3 * T32;
+    const four v28 = v27 - v13 * v26;
+    const four v29 = v16 * v26 + v4 * (v11 * T32);
+    const double v30 = s1 * T11 + v2 * T21;
+    const double v31 = s1 * T21 - v2 * T11;
+    const double v32 = Z1_3 * T31;
+    const four v33 = v32 - v13 * v31;
+    const four v34 = v16 * v31 + v4 * (v11 * T31);
+    const four v35 = e1 * (v19 * (v34 + w3 * (m5 * (e2 * v33))) - X4 * v30);
 
     /* joint values */
-    const four v29 = copysign_four(all_four(half_turn), v6);
-    const four v30 = m2 * (1.0 - e2);
-    const four v32 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
-    const four_mask v37 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((v15 <= m3) | (v22 <= m4)) | v37;
+    const four v37 = copysign_four(all_four(half_turn), v6);
+    const four v38 = m2 * (1.0 - e2);
+    const four v40 = h1 * copysign_four(all_four(half_turn), -(e1 * v19));
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(v27, e1 * (v23 * -X4 + v20 * (e1 * (v17 * v24) - v18 * T32)));
-    const four angle1__ = atan2_four(S2, -v14);
-    const four angle1____ = atan2_four(-(e1 * v20), -X4);
-    const four angle1_____ = atan2_four(sqrt_four(v22), T33 * v17 + e1 * (v18 * v19));
+    const four angle1_ = atan2_four(v35, e1 * (v19 * (v29 + w3 * (m5 * (e2 * v28))) - X4 * v25));
+    const four angle1__ = atan2_four(w3 * (m3 * (e2 * v4)) - v8, -(v10 + w3 * v9));
+    const four angle1____ = atan2_four(-(e1 * v19), -v21);
+    const four angle1_____ = atan2_four(sqrt_four(v22), factor2 * (v24 - w3 * (m5 * (e2 * v23))));
     const four packed5 = atan2_four(__builtin_shufflevector(v6, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(-v7, all_four(-wx), 0, 5, 2, 3));
+        __builtin_shufflevector(-(k1 * w3), all_four(-wx), 0, 5, 2, 3));
     const four angle1___ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v27) * h1;
-    const four v28 = angle1__ - offset2;
-    const four q2_p = v28 - pick_four(half_turn < v28, all_four(m5), all_four(0.0));
-    const four v31 = e2 * angle1___ + v29 * v30 - offset3;
-    const four q3_p = v31 + pick_four(v31 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v33 = angle1____ - offset4;
-    const four v34 = angle1____ - v32 - offset4;
-    const four q4_p = v33 + pick_four(v33 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q4_m = v34 + pick_four(v34 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v35 = angle1_____ - offset5;
-    const four v36 = offset5 + angle1_____;
-    const four q5_p = v35 + pick_four(v35 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q5_m = pick_four(-v36 <= -half_turn, all_four(m5), all_four(0.0)) - v36;
+    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v35) * h1;
+    const four v36 = angle1__ - offset2;
+    const four q2_p = v36 - pick_four(half_turn < v36, all_four(m8), all_four(0.0));
+    const four v39 = e2 * angle1___ + v37 * v38 - offset3;
+    const four q3_p = v39 + pick_four(v39 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v41 = angle1____ - offset4;
+    const four v42 = angle1____ - v40 - offset4;
+    const four q4_p = v41 + pick_four(v41 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q4_m = v42 + pick_four(v42 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v43 = angle1_____ - offset5;
+    const four v44 = offset5 + angle1_____;
+    const four q5_p = v43 + pick_four(v43 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q5_m = pick_four(-v44 <= -half_turn, all_four(m8), all_four(0.0)) - v44;
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1_);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * ABB_IRB1600_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

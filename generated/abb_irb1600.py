@@ -79,9 +79,12 @@ k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.00600225e-24  # free_limit1^2 [m^2]
-m3 = 1.604805402700506e-47  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
+m3 = 0.7142857142857144  # a coefficient of S2
+m4 = 0.09285714285714279  # a coefficient of S2
+m5 = 0.8333333333333335  # a coefficient of v9
+m6 = 0.10833333333333327  # a coefficient of v9
+m7 = 1e-24  # free_limit^2
+m8 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -534,165 +537,157 @@ def _regular(pose, q, status):
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
     v6 = k1 * (N3_p - k2)
     v7 = k1 * (N3_m - k2)
-    s3_p = k3 * v6
-    s3_m = k3 * v7
-    v8 = k1 * w3_p
-    v9 = k1 * w3_m
-    v10 = k3 * v8
-    v11 = k3 * v9
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v12 = d4 * v10
-    v13 = d4 * v11
-    Y1_2_p = a2 + d4 * s3_p
-    Y1_2_m = a2 + d4 * s3_m
-    v14 = Z1_3 * Y1_2_p
-    v15 = Z1_3 * Y1_2_m
-    v16 = v3 * v12
-    v17 = v4 * v13
-    S2_pp = v16 - v14
-    v18 = v14 + v16
-    S2_mp = v17 - v15
-    v19 = v15 + v17
-    v20 = v3 * Y1_2_p
-    v21 = v4 * Y1_2_m
-    v22 = Z1_3 * v12
-    v23 = Z1_3 * v13
-    v24 = v20 + v22
-    v25 = v20 - v22
-    v26 = v21 + v23
-    v27 = v21 - v23
-    v28 = S2_pp * S2_pp + v24 * v24
-    v29 = v18 * v18 + v25 * v25
-    v30 = S2_mp * S2_mp + v26 * v26
-    v31 = v19 * v19 + v27 * v27
-    factor2_pp = 1.0 / math.sqrt(v28)
-    factor2_pm = 1.0 / math.sqrt(v29)
-    factor2_mp = 1.0 / math.sqrt(v30)
-    factor2_mm = 1.0 / math.sqrt(v31)
-    v32 = v24 * factor2_pp
-    v33 = v25 * factor2_pm
-    v34 = v26 * factor2_mp
-    v35 = v27 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    v36 = v18 * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    v37 = v19 * factor2_mm
+    v8 = m4 + m3 * N3_p
+    v9 = m4 + m3 * N3_m
+    v10 = Z1_3 * v8
+    v11 = Z1_3 * v9
+    v12 = m3 * Z1_3
+    v13 = m3 * -Z1_3
+    v14 = v3 * v8
+    v15 = v4 * v9
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v38 = s3_p * s2_pp - v10 * v32
-    v39 = v10 * v33 - s3_p * v36
-    v40 = s3_m * s2_mp - v11 * v34
-    v41 = v11 * v35 - s3_m * v37
-    v42 = s3_p * v32 + v10 * s2_pp
-    v43 = s3_p * v33 + v10 * v36
-    v44 = s3_m * v34 + v11 * s2_mp
-    v45 = s3_m * v35 + v11 * v37
-    v46 = T23 * s1 - T13 * v2
-    X4_pp = v38 * v46 - T33 * v42
-    X4_pm = v39 * v46 - T33 * v43
-    v47 = v40 * v46 + T33 * v44
-    v48 = v41 * v46 + T33 * v45
-    v49 = T23 * v2 + T13 * s1
-    v50 = v49 * v49
-    v51 = v50 + X4_pp * X4_pp
-    v52 = v50 + X4_pm * X4_pm
-    v53 = v50 + v47 * v47
-    v54 = v50 + v48 * v48
+    v16 = m6 - m5 * N3_p
+    v17 = m6 - m5 * N3_m
+    v18 = T23 * s1 - T13 * v2
+    v19 = T33 * Z1_3
+    v20 = v19 - v3 * v18
+    v21 = v19 - v18 * -v4
+    v22 = Z1_3 * v16
+    v23 = Z1_3 * -v17
+    v24 = T33 * v16
+    v25 = T33 * v17
+    v26 = v18 * v22 + v3 * v24
+    v27 = v18 * v23 + v4 * v25
+    X4_pp = v26 + w3_p * (m5 * v20)
+    X4_pm = v26 + w3_p * (m5 * -v20)
+    X4_mp = v27 + w3_m * (m5 * v21)
+    X4_mm = v27 + w3_m * (m5 * -v21)
+    v28 = T23 * v2 + T13 * s1
+    v29 = v28 * v28
+    v30 = factor2_p * X4_pp
+    v31 = factor2_p * X4_pm
+    v32 = factor2_m * X4_mp
+    v33 = factor2_m * X4_mm
+    v34 = v29 + factor2_p * (X4_pp * v30)
+    v35 = v29 + factor2_p * (X4_pm * v31)
+    v36 = v29 + factor2_m * (X4_mp * v32)
+    v37 = v29 + factor2_m * (X4_mm * v33)
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    v38 = v18 * (v3 * -v16) + Z1_3 * v24
+    v39 = v18 * (v4 * v17) + Z1_3 * v25
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v55 = s1 * T12 + v2 * T22
-    v56 = s1 * T22 - v2 * T12
-    v57 = s1 * T11 + v2 * T21
-    v58 = s1 * T21 - v2 * T11
-    v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31)
-    v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31)
-    v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57
-    v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57
-    angle1_ = _atan2(v59, v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32))
-    angle1__ = _atan2(v60, v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32))
-    angle1___ = _atan2(v61, v49 * (v40 * v56 + v44 * T32) - v47 * v55)
-    angle1____ = _atan2(v62, v49 * (v41 * v56 + v45 * T32) - v48 * v55)
-    q6_ppm = angle1_ - math.copysign(half_turn, v59) * h1
-    q6_pmm = angle1__ - math.copysign(half_turn, v60) * h1
-    q6_mpm = angle1___ - math.copysign(half_turn, v61) * h1
-    q6_mmm = angle1____ - math.copysign(half_turn, v62) * h1
+    v40 = s1 * T12 + v2 * T22
+    v41 = s1 * T22 - v2 * T12
+    v42 = Z1_3 * T32
+    v43 = v42 - v3 * v41
+    v44 = v42 - -v4 * v41
+    v45 = v22 * v41 + v3 * (v16 * T32)
+    v46 = v23 * v41 + v4 * (v17 * T32)
+    v47 = s1 * T11 + v2 * T21
+    v48 = s1 * T21 - v2 * T11
+    v49 = Z1_3 * T31
+    v50 = v49 - v3 * v48
+    v51 = v49 - -v4 * v48
+    v52 = v22 * v48 + v3 * (v16 * T31)
+    v53 = v23 * v48 + v4 * (v17 * T31)
+    v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47
+    v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47
+    v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51))
+    v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51))
+    angle1_ = _atan2(v54, v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40)
+    angle1__ = _atan2(v55, v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40)
+    angle1___ = _atan2(v56, X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44)))
+    angle1____ = _atan2(v57, X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44)))
+    q6_ppm = angle1_ - math.copysign(half_turn, v54) * h1
+    q6_pmm = angle1__ - math.copysign(half_turn, v55) * h1
+    q6_mpm = angle1___ - math.copysign(half_turn, v56) * h1
+    q6_mmm = angle1____ - math.copysign(half_turn, v57) * h1
 
     # joint values
-    angle1_____ = _atan2(S2_pp, -v24)
-    v63 = angle1_____ - offset2
-    angle1______ = _atan2(-v18, -v25)
-    v64 = angle1______ - offset2
-    angle1_______ = _atan2(S2_mp, -v26)
-    v65 = angle1_______ - offset2
-    angle1________ = _atan2(-v19, -v27)
-    v66 = angle1________ - offset2
-    q2_ppp = v63 - (m5 if half_turn < v63 else 0.0)
-    q2_pmp = v64 - (m5 if half_turn < v64 else 0.0)
-    q2_mpp = v65 - (m5 if half_turn < v65 else 0.0)
-    q2_mmp = v66 - (m5 if half_turn < v66 else 0.0)
-    angle1_________ = _atan2(v6, -v8)
-    angle1__________ = _atan2(v7, -v9)
-    v67 = angle1_________ - offset3
-    v68 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
-    v69 = angle1__________ - offset3
-    v70 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-    q3_ppp = v67 + (m5 if v67 <= -half_turn else 0.0)
-    q3_pmp = v68 + (m5 if v68 <= -half_turn else 0.0)
-    q3_mpp = v69 + (m5 if v69 <= -half_turn else 0.0)
-    q3_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
-    angle1___________ = _atan2(-v49, -X4_pp)
-    angle1____________ = _atan2(-v49, -X4_pm)
-    angle1_____________ = _atan2(v49, v47)
-    angle1______________ = _atan2(v49, v48)
-    v71 = h1 * math.copysign(half_turn, -v49)
-    v72 = h1 * math.copysign(half_turn, v49)
-    v73 = angle1___________ - offset4
-    v74 = angle1___________ - v71 - offset4
-    v75 = angle1____________ - offset4
-    v76 = angle1____________ - v71 - offset4
-    v77 = angle1_____________ - offset4
-    v78 = angle1_____________ - v72 - offset4
-    v79 = angle1______________ - offset4
-    v80 = angle1______________ - v72 - offset4
-    q4_ppp = v73 + (m5 if v73 <= -half_turn else 0.0)
-    q4_ppm = v74 + (m5 if v74 <= -half_turn else 0.0)
-    q4_pmp = v75 + (m5 if v75 <= -half_turn else 0.0)
-    q4_pmm = v76 + (m5 if v76 <= -half_turn else 0.0)
-    q4_mpp = v77 + (m5 if v77 <= -half_turn else 0.0)
-    q4_mpm = v78 + (m5 if v78 <= -half_turn else 0.0)
-    q4_mmp = v79 + (m5 if v79 <= -half_turn else 0.0)
-    q4_mmm = v80 + (m5 if v80 <= -half_turn else 0.0)
-    angle1_______________ = _atan2(math.sqrt(v51), T33 * v38 + v42 * v46)
-    angle1________________ = _atan2(math.sqrt(v52), T33 * v39 + v43 * v46)
-    angle1_________________ = _atan2(math.sqrt(v53), T33 * v40 - v44 * v46)
-    angle1__________________ = _atan2(math.sqrt(v54), T33 * v41 - v45 * v46)
-    v81 = angle1_______________ - offset5
-    v82 = offset5 + angle1_______________
-    v83 = angle1________________ - offset5
-    v84 = offset5 + angle1________________
-    v85 = angle1_________________ - offset5
-    v86 = offset5 + angle1_________________
-    v87 = angle1__________________ - offset5
-    v88 = offset5 + angle1__________________
-    q5_ppp = v81 + (m5 if v81 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v82 <= -half_turn else 0.0) - v82
-    q5_pmp = v83 + (m5 if v83 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v84 <= -half_turn else 0.0) - v84
-    q5_mpp = v85 + (m5 if v85 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v86 <= -half_turn else 0.0) - v86
-    q5_mmp = v87 + (m5 if v87 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v88 <= -half_turn else 0.0) - v88
+    v58 = w3_p * (m3 * v3)
+    angle1_____ = _atan2(v58 - v10, -(v14 + w3_p * v12))
+    v59 = angle1_____ - offset2
+    angle1______ = _atan2(-(v10 + v58), -(v14 + w3_p * v13))
+    v60 = angle1______ - offset2
+    angle1_______ = _atan2(w3_m * (m3 * v4) - v11, -(v15 + w3_m * v12))
+    v61 = angle1_______ - offset2
+    angle1________ = _atan2(w3_m * (m3 * -v4) - v11, -(v15 + w3_m * v13))
+    v62 = angle1________ - offset2
+    q2_ppp = v59 - (m8 if half_turn < v59 else 0.0)
+    q2_pmp = v60 - (m8 if half_turn < v60 else 0.0)
+    q2_mpp = v61 - (m8 if half_turn < v61 else 0.0)
+    q2_mmp = v62 - (m8 if half_turn < v62 else 0.0)
+    angle1_________ = _atan2(v6, -(k1 * w3_p))
+    angle1__________ = _atan2(v7, -(k1 * w3_m))
+    v63 = angle1_________ - offset3
+    v64 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
+    v65 = angle1__________ - offset3
+    v66 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+    q3_ppp = v63 + (m8 if v63 <= -half_turn else 0.0)
+    q3_pmp = v64 + (m8 if v64 <= -half_turn else 0.0)
+    q3_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
+    q3_mmp = v66 + (m8 if v66 <= -half_turn else 0.0)
+    angle1___________ = _atan2(-v28, -v30)
+    angle1____________ = _atan2(-v28, -v31)
+    angle1_____________ = _atan2(v28, -v32)
+    angle1______________ = _atan2(v28, -v33)
+    v67 = h1 * math.copysign(half_turn, -v28)
+    v68 = h1 * math.copysign(half_turn, v28)
+    v69 = angle1___________ - offset4
+    v70 = angle1___________ - v67 - offset4
+    v71 = angle1____________ - offset4
+    v72 = angle1____________ - v67 - offset4
+    v73 = angle1_____________ - offset4
+    v74 = angle1_____________ - v68 - offset4
+    v75 = angle1______________ - offset4
+    v76 = angle1______________ - v68 - offset4
+    q4_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
+    q4_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
+    q4_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
+    q4_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
+    q4_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
+    q4_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
+    q4_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
+    q4_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
+    v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3))
+    angle1_______________ = _atan2(math.sqrt(v34), factor2_p * (v38 - v77))
+    angle1________________ = _atan2(math.sqrt(v35), factor2_p * (v38 + v77))
+    v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4))
+    angle1_________________ = _atan2(math.sqrt(v36), factor2_m * (v39 - v78))
+    angle1__________________ = _atan2(math.sqrt(v37), factor2_m * (v39 + v78))
+    v79 = angle1_______________ - offset5
+    v80 = offset5 + angle1_______________
+    v81 = angle1________________ - offset5
+    v82 = offset5 + angle1________________
+    v83 = angle1_________________ - offset5
+    v84 = offset5 + angle1_________________
+    v85 = angle1__________________ - offset5
+    v86 = offset5 + angle1__________________
+    q5_ppp = v79 + (m8 if v79 <= -half_turn else 0.0)
+    q5_ppm = (m8 if -v80 <= -half_turn else 0.0) - v80
+    q5_pmp = v81 + (m8 if v81 <= -half_turn else 0.0)
+    q5_pmm = (m8 if -v82 <= -half_turn else 0.0) - v82
+    q5_mpp = v83 + (m8 if v83 <= -half_turn else 0.0)
+    q5_mpm = (m8 if -v84 <= -half_turn else 0.0) - v84
+    q5_mmp = v85 + (m8 if v85 <= -half_turn else 0.0)
+    q5_mmm = (m8 if -v86 <= -half_turn else 0.0) - v86
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-    doubt = (
-        v31 <= m3 or v54 <= m4 or (v30 <= m3 or v53 <= m4 or (v29 <= m3 or v52 <= m4 or (v28 <= m3
-        or v51 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v1 <= m1 or v34 <= m7)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -951,134 +946,124 @@ def _in_tiles(T, q, status):
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
             v6 = k1 * (N3_p - k2)
             v7 = k1 * (N3_m - k2)
-            s3_p = k3 * v6
-            s3_m = k3 * v7
-            v8 = k1 * w3_p
-            v9 = k1 * w3_m
-            v10 = k3 * v8
-            v11 = k3 * v9
-            v12 = d4 * v10
-            v13 = d4 * v11
-            Y1_2_p = a2 + d4 * s3_p
-            Y1_2_m = a2 + d4 * s3_m
-            v14 = Z1_3 * Y1_2_p
-            v15 = Z1_3 * Y1_2_m
-            v16 = v3 * v12
-            v17 = v4 * v13
-            S2_pp = v16 - v14
-            v18 = v14 + v16
-            S2_mp = v17 - v15
-            v19 = v15 + v17
-            v20 = v3 * Y1_2_p
-            v21 = v4 * Y1_2_m
-            v22 = Z1_3 * v12
-            v23 = Z1_3 * v13
-            v24 = v20 + v22
-            v25 = v20 - v22
-            v26 = v21 + v23
-            v27 = v21 - v23
-            v28 = S2_pp * S2_pp + v24 * v24
-            v29 = v18 * v18 + v25 * v25
-            v30 = S2_mp * S2_mp + v26 * v26
-            v31 = v19 * v19 + v27 * v27
-            factor2_pp = 1.0 / math.sqrt(v28)
-            factor2_pm = 1.0 / math.sqrt(v29)
-            factor2_mp = 1.0 / math.sqrt(v30)
-            factor2_mm = 1.0 / math.sqrt(v31)
-            v32 = v24 * factor2_pp
-            v33 = v25 * factor2_pm
-            v34 = v26 * factor2_mp
-            v35 = v27 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            v36 = v18 * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            v37 = v19 * factor2_mm
-            v38 = s3_p * s2_pp - v10 * v32
-            v39 = v10 * v33 - s3_p * v36
-            v40 = s3_m * s2_mp - v11 * v34
-            v41 = v11 * v35 - s3_m * v37
-            v42 = s3_p * v32 + v10 * s2_pp
-            v43 = s3_p * v33 + v10 * v36
-            v44 = s3_m * v34 + v11 * s2_mp
-            v45 = s3_m * v35 + v11 * v37
-            v46 = T23 * s1 - T13 * v2
-            X4_pp = v38 * v46 - T33 * v42
-            X4_pm = v39 * v46 - T33 * v43
-            v47 = v40 * v46 + T33 * v44
-            v48 = v41 * v46 + T33 * v45
-            v49 = T23 * v2 + T13 * s1
-            v50 = v49 * v49
-            v51 = v50 + X4_pp * X4_pp
-            v52 = v50 + X4_pm * X4_pm
-            v53 = v50 + v47 * v47
-            v54 = v50 + v48 * v48
-            v55 = s1 * T12 + v2 * T22
-            v56 = s1 * T22 - v2 * T12
-            v57 = s1 * T11 + v2 * T21
-            v58 = s1 * T21 - v2 * T11
-            v59 = v57 * -X4_pp + v49 * (v38 * v58 - v42 * T31)
-            v60 = v57 * -X4_pm + v49 * (v39 * v58 - v43 * T31)
-            v61 = v49 * (v40 * v58 + v44 * T31) - v47 * v57
-            v62 = v49 * (v41 * v58 + v45 * T31) - v48 * v57
-            v71 = h1 * math.copysign(half_turn, -v49)
-            v72 = h1 * math.copysign(half_turn, v49)
-            doubt = (
-                v31 <= m3 or v54 <= m4 or (v30 <= m3 or v53 <= m4 or (v29 <= m3 or v52 <= m4 or (v28
-                <= m3 or v51 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+            v8 = m4 + m3 * N3_p
+            v9 = m4 + m3 * N3_m
+            v10 = Z1_3 * v8
+            v11 = Z1_3 * v9
+            v12 = m3 * Z1_3
+            v13 = m3 * -Z1_3
+            v14 = v3 * v8
+            v15 = v4 * v9
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v16 = m6 - m5 * N3_p
+            v17 = m6 - m5 * N3_m
+            v18 = T23 * s1 - T13 * v2
+            v19 = T33 * Z1_3
+            v20 = v19 - v3 * v18
+            v21 = v19 - v18 * -v4
+            v22 = Z1_3 * v16
+            v23 = Z1_3 * -v17
+            v24 = T33 * v16
+            v25 = T33 * v17
+            v26 = v18 * v22 + v3 * v24
+            v27 = v18 * v23 + v4 * v25
+            X4_pp = v26 + w3_p * (m5 * v20)
+            X4_pm = v26 + w3_p * (m5 * -v20)
+            X4_mp = v27 + w3_m * (m5 * v21)
+            X4_mm = v27 + w3_m * (m5 * -v21)
+            v28 = T23 * v2 + T13 * s1
+            v29 = v28 * v28
+            v30 = factor2_p * X4_pp
+            v31 = factor2_p * X4_pm
+            v32 = factor2_m * X4_mp
+            v33 = factor2_m * X4_mm
+            v34 = v29 + factor2_p * (X4_pp * v30)
+            v35 = v29 + factor2_p * (X4_pm * v31)
+            v36 = v29 + factor2_m * (X4_mp * v32)
+            v37 = v29 + factor2_m * (X4_mm * v33)
+            v38 = v18 * (v3 * -v16) + Z1_3 * v24
+            v39 = v18 * (v4 * v17) + Z1_3 * v25
+            v40 = s1 * T12 + v2 * T22
+            v41 = s1 * T22 - v2 * T12
+            v42 = Z1_3 * T32
+            v43 = v42 - v3 * v41
+            v44 = v42 - -v4 * v41
+            v45 = v22 * v41 + v3 * (v16 * T32)
+            v46 = v23 * v41 + v4 * (v17 * T32)
+            v47 = s1 * T11 + v2 * T21
+            v48 = s1 * T21 - v2 * T11
+            v49 = Z1_3 * T31
+            v50 = v49 - v3 * v48
+            v51 = v49 - -v4 * v48
+            v52 = v22 * v48 + v3 * (v16 * T31)
+            v53 = v23 * v48 + v4 * (v17 * T31)
+            v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47
+            v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47
+            v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51))
+            v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51))
+            v58 = w3_p * (m3 * v3)
+            v67 = h1 * math.copysign(half_turn, -v28)
+            v68 = h1 * math.copysign(half_turn, v28)
+            v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3))
+            v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4))
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v37 <= m7 or (v36 <= m7 or
+                (v35 <= m7 or (v1 <= m1 or v34 <= m7)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
             work[640 + k] = v6
             work[672 + k] = v7
-            work[704 + k] = v59
-            work[736 + k] = v60
-            work[768 + k] = v61
-            work[800 + k] = v62
-            work[832 + k] = v71
-            work[864 + k] = v72
-            work[896 + k] = doubt
+            work[704 + k] = v54
+            work[736 + k] = v55
+            work[768 + k] = v56
+            work[800 + k] = v57
+            work[832 + k] = v67
+            work[864 + k] = v68
+            work[896 + k] = doubt1
             work[928 + k] = Y1
-            work[960 + k] = v59
-            work[992 + k] = v60
-            work[1024 + k] = v61
-            work[1056 + k] = v62
-            work[1088 + k] = S2_pp
-            work[1120 + k] = -v18
-            work[1152 + k] = S2_mp
-            work[1184 + k] = -v19
+            work[960 + k] = v54
+            work[992 + k] = v55
+            work[1024 + k] = v56
+            work[1056 + k] = v57
+            work[1088 + k] = v58 - v10
+            work[1120 + k] = -(v10 + v58)
+            work[1152 + k] = w3_m * (m3 * v4) - v11
+            work[1184 + k] = w3_m * (m3 * -v4) - v11
             work[1216 + k] = v6
             work[1248 + k] = v7
-            work[1280 + k] = -v49
-            work[1312 + k] = -v49
-            work[1344 + k] = v49
-            work[1376 + k] = v49
-            work[1408 + k] = math.sqrt(v51)
-            work[1440 + k] = math.sqrt(v52)
-            work[1472 + k] = math.sqrt(v53)
-            work[1504 + k] = math.sqrt(v54)
+            work[1280 + k] = -v28
+            work[1312 + k] = -v28
+            work[1344 + k] = v28
+            work[1376 + k] = v28
+            work[1408 + k] = math.sqrt(v34)
+            work[1440 + k] = math.sqrt(v35)
+            work[1472 + k] = math.sqrt(v36)
+            work[1504 + k] = math.sqrt(v37)
             work[1536 + k] = -wx
-            work[1568 + k] = v55 * -X4_pp + v49 * (v38 * v56 - v42 * T32)
-            work[1600 + k] = v55 * -X4_pm + v49 * (v39 * v56 - v43 * T32)
-            work[1632 + k] = v49 * (v40 * v56 + v44 * T32) - v47 * v55
-            work[1664 + k] = v49 * (v41 * v56 + v45 * T32) - v48 * v55
-            work[1696 + k] = -v24
-            work[1728 + k] = -v25
-            work[1760 + k] = -v26
-            work[1792 + k] = -v27
-            work[1824 + k] = -v8
-            work[1856 + k] = -v9
-            work[1888 + k] = -X4_pp
-            work[1920 + k] = -X4_pm
-            work[1952 + k] = v47
-            work[1984 + k] = v48
-            work[2016 + k] = T33 * v38 + v42 * v46
-            work[2048 + k] = T33 * v39 + v43 * v46
-            work[2080 + k] = T33 * v40 - v44 * v46
-            work[2112 + k] = T33 * v41 - v45 * v46
+            work[1568 + k] = v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40
+            work[1600 + k] = v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40
+            work[1632 + k] = X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44))
+            work[1664 + k] = X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44))
+            work[1696 + k] = -(v14 + w3_p * v12)
+            work[1728 + k] = -(v14 + w3_p * v13)
+            work[1760 + k] = -(v15 + w3_m * v12)
+            work[1792 + k] = -(v15 + w3_m * v13)
+            work[1824 + k] = -(k1 * w3_p)
+            work[1856 + k] = -(k1 * w3_m)
+            work[1888 + k] = -v30
+            work[1920 + k] = -v31
+            work[1952 + k] = -v32
+            work[1984 + k] = -v33
+            work[2016 + k] = factor2_p * (v38 - v77)
+            work[2048 + k] = factor2_p * (v38 + v77)
+            work[2080 + k] = factor2_m * (v39 - v78)
+            work[2112 + k] = factor2_m * (v39 + v78)
         for k in range(928, 1536):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
@@ -1087,13 +1072,13 @@ def _in_tiles(T, q, status):
             w3_m = work[608 + k]
             v6 = work[640 + k]
             v7 = work[672 + k]
-            v59 = work[704 + k]
-            v60 = work[736 + k]
-            v61 = work[768 + k]
-            v62 = work[800 + k]
-            v71 = work[832 + k]
-            v72 = work[864 + k]
-            doubt = work[896 + k] != 0.0
+            v54 = work[704 + k]
+            v55 = work[736 + k]
+            v56 = work[768 + k]
+            v57 = work[800 + k]
+            v67 = work[832 + k]
+            v68 = work[864 + k]
+            doubt1 = work[896 + k] != 0.0
             angle1 = work[928 + k]
             angle1_ = work[960 + k]
             angle1__ = work[992 + k]
@@ -1113,58 +1098,58 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1440 + k]
             angle1_________________ = work[1472 + k]
             angle1__________________ = work[1504 + k]
-            q6_ppm = angle1_ - math.copysign(half_turn, v59) * h1
-            q6_pmm = angle1__ - math.copysign(half_turn, v60) * h1
-            q6_mpm = angle1___ - math.copysign(half_turn, v61) * h1
-            q6_mmm = angle1____ - math.copysign(half_turn, v62) * h1
-            v63 = angle1_____ - offset2
-            v64 = angle1______ - offset2
-            v65 = angle1_______ - offset2
-            v66 = angle1________ - offset2
-            q2_ppp = v63 - (m5 if half_turn < v63 else 0.0)
-            q2_pmp = v64 - (m5 if half_turn < v64 else 0.0)
-            q2_mpp = v65 - (m5 if half_turn < v65 else 0.0)
-            q2_mmp = v66 - (m5 if half_turn < v66 else 0.0)
-            v67 = angle1_________ - offset3
-            v68 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
-            v69 = angle1__________ - offset3
-            v70 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-            q3_ppp = v67 + (m5 if v67 <= -half_turn else 0.0)
-            q3_pmp = v68 + (m5 if v68 <= -half_turn else 0.0)
-            q3_mpp = v69 + (m5 if v69 <= -half_turn else 0.0)
-            q3_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
-            v73 = angle1___________ - offset4
-            v74 = angle1___________ - v71 - offset4
-            v75 = angle1____________ - offset4
-            v76 = angle1____________ - v71 - offset4
-            v77 = angle1_____________ - offset4
-            v78 = angle1_____________ - v72 - offset4
-            v79 = angle1______________ - offset4
-            v80 = angle1______________ - v72 - offset4
-            q4_ppp = v73 + (m5 if v73 <= -half_turn else 0.0)
-            q4_ppm = v74 + (m5 if v74 <= -half_turn else 0.0)
-            q4_pmp = v75 + (m5 if v75 <= -half_turn else 0.0)
-            q4_pmm = v76 + (m5 if v76 <= -half_turn else 0.0)
-            q4_mpp = v77 + (m5 if v77 <= -half_turn else 0.0)
-            q4_mpm = v78 + (m5 if v78 <= -half_turn else 0.0)
-            q4_mmp = v79 + (m5 if v79 <= -half_turn else 0.0)
-            q4_mmm = v80 + (m5 if v80 <= -half_turn else 0.0)
-            v81 = angle1_______________ - offset5
-            v82 = offset5 + angle1_______________
-            v83 = angle1________________ - offset5
-            v84 = offset5 + angle1________________
-            v85 = angle1_________________ - offset5
-            v86 = offset5 + angle1_________________
-            v87 = angle1__________________ - offset5
-            v88 = offset5 + angle1__________________
-            q5_ppp = v81 + (m5 if v81 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v82 <= -half_turn else 0.0) - v82
-            q5_pmp = v83 + (m5 if v83 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v84 <= -half_turn else 0.0) - v84
-            q5_mpp = v85 + (m5 if v85 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v86 <= -half_turn else 0.0) - v86
-            q5_mmp = v87 + (m5 if v87 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v88 <= -half_turn else 0.0) - v88
+            q6_ppm = angle1_ - math.copysign(half_turn, v54) * h1
+            q6_pmm = angle1__ - math.copysign(half_turn, v55) * h1
+            q6_mpm = angle1___ - math.copysign(half_turn, v56) * h1
+            q6_mmm = angle1____ - math.copysign(half_turn, v57) * h1
+            v59 = angle1_____ - offset2
+            v60 = angle1______ - offset2
+            v61 = angle1_______ - offset2
+            v62 = angle1________ - offset2
+            q2_ppp = v59 - (m8 if half_turn < v59 else 0.0)
+            q2_pmp = v60 - (m8 if half_turn < v60 else 0.0)
+            q2_mpp = v61 - (m8 if half_turn < v61 else 0.0)
+            q2_mmp = v62 - (m8 if half_turn < v62 else 0.0)
+            v63 = angle1_________ - offset3
+            v64 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
+            v65 = angle1__________ - offset3
+            v66 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+            q3_ppp = v63 + (m8 if v63 <= -half_turn else 0.0)
+            q3_pmp = v64 + (m8 if v64 <= -half_turn else 0.0)
+            q3_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
+            q3_mmp = v66 + (m8 if v66 <= -half_turn else 0.0)
+            v69 = angle1___________ - offset4
+            v70 = angle1___________ - v67 - offset4
+            v71 = angle1____________ - offset4
+            v72 = angle1____________ - v67 - offset4
+            v73 = angle1_____________ - offset4
+            v74 = angle1_____________ - v68 - offset4
+            v75 = angle1______________ - offset4
+            v76 = angle1______________ - v68 - offset4
+            q4_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
+            q4_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
+            q4_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
+            q4_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
+            q4_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
+            q4_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
+            q4_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
+            q4_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
+            v79 = angle1_______________ - offset5
+            v80 = offset5 + angle1_______________
+            v81 = angle1________________ - offset5
+            v82 = offset5 + angle1________________
+            v83 = angle1_________________ - offset5
+            v84 = offset5 + angle1_________________
+            v85 = angle1__________________ - offset5
+            v86 = offset5 + angle1__________________
+            q5_ppp = v79 + (m8 if v79 <= -half_turn else 0.0)
+            q5_ppm = (m8 if -v80 <= -half_turn else 0.0) - v80
+            q5_pmp = v81 + (m8 if v81 <= -half_turn else 0.0)
+            q5_pmm = (m8 if -v82 <= -half_turn else 0.0) - v82
+            q5_mpp = v83 + (m8 if v83 <= -half_turn else 0.0)
+            q5_mpm = (m8 if -v84 <= -half_turn else 0.0) - v84
+            q5_mmp = v85 + (m8 if v85 <= -half_turn else 0.0)
+            q5_mmm = (m8 if -v86 <= -half_turn else 0.0) - v86
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
             _2144 = q1_ppp
@@ -1243,7 +1228,7 @@ def _in_tiles(T, q, status):
             work[3392 + k] = UNREACHABLE if _2688 != _2688 else OK
             work[3424 + k] = UNREACHABLE if _2688 != _2688 else OK
             work[3456 + k] = UNREACHABLE if _2688 != _2688 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

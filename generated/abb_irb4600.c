@@ -9,6 +9,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef ABB_IRB4600_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DABB_IRB4600_SCALAR. With -DABB_IRB4600_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(ABB_IRB4600_SCALAR) && !defined(ABB_IRB4600_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef ABB_IRB4600_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & ABB_IRB4600_UNREACHABLE) \
+        | (~(none) & (outside) & ABB_IRB4600_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)ABB_IRB4600_UNREACHABLE \
+        : (outside) ? (int)ABB_IRB4600_OUT_OF_LIMITS : 0)
+#endif
 static const double a1 = 0.175; /* x of axis 2 [m] */
 static const double d1 = 0.495; /* z of axis 2 [m] */
 static const double a2 = 1.095; /* z of axis 3 [m] */
@@ -43,9 +339,14 @@ static const double high3 = 1.3089969399957473; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.0943951033931953; /* highest value of joint 5 */
 static const double m1 = 1.1189024999999997e-23; /* free_limit1^2 [m^2] */
-static const double m3 = 1.2519428045062496e-46; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 0.4566210045662101; /* a coefficient of X1_2 */
+static const double m4 = 0.20296803652968054; /* a coefficient of X1_2 */
+static const double m5 = 0.3863646734914285; /* a coefficient of c23 */
+static const double m6 = 0.053239226662204715; /* a coefficient of c23 */
+static const double m7 = 0.023664836251350022; /* a coefficient of c23 */
+static const double m8 = 0.17173909736694015; /* a coefficient of c23 */
+static const double m9 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb4600_branches[8] = {
@@ -232,209 +533,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef ABB_IRB4600_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DABB_IRB4600_SCALAR. With -DABB_IRB4600_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(ABB_IRB4600_SCALAR) && !defined(ABB_IRB4600_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef ABB_IRB4600_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ABB_IRB4600_UNREACHABLE) \
-        | (~(none) & (outside) & ABB_IRB4600_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)ABB_IRB4600_UNREACHABLE \
-        : (outside) ? (int)ABB_IRB4600_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -460,173 +558,148 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = Z1_3 * Z1_3;
     const wide N3_p = v5 + v3 * v3;
     const wide N3_m = v5 + v4 * v4;
-    const wide K3_p = N3_p - k3;
-    const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = k1 * K3_p;
-    const wide v7 = k1 * K3_m;
-    const wide v8 = k2 * w3_p;
-    const wide v9 = k2 * w3_m;
-    const wide s3_pp = k4 * (v8 - v6);
-    const wide v10 = k4 * (v6 + v8);
-    const wide s3_mp = k4 * (v9 - v7);
-    const wide v11 = k4 * (v7 + v9);
-    const wide v12 = k2 * K3_p;
-    const wide v13 = k2 * K3_m;
-    const wide v14 = k1 * w3_p;
-    const wide v15 = k1 * w3_m;
-    const wide c3_pp = k4 * (v12 + v14);
-    const wide c3_pm = k4 * (v12 - v14);
-    const wide c3_mp = k4 * (v13 + v15);
-    const wide c3_mm = k4 * (v13 - v15);
-    const wide angle1_ = atan2_wide(w3_p, K3_p);
-    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
+    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle1_ - turn1;
-    const wide v16 = turn1 + angle1_;
+    const wide v6 = turn1 + angle1_;
     const wide q3__mp = angle1__ - turn1;
-    const wide v17 = turn1 + angle1__;
+    const wide v7 = turn1 + angle1__;
 
     /* theta2 */
-    const wide X1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp);
-    const wide X1_2_pm = a2 + (a3 * c3_pm + d4 * v10);
-    const wide X1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp);
-    const wide X1_2_mm = a2 + (a3 * c3_mm + d4 * v11);
-    const wide Y1_2_pp = d4 * c3_pp + a3 * s3_pp;
-    const wide Y1_2_pm = d4 * c3_pm - a3 * v10;
-    const wide Y1_2_mp = d4 * c3_mp + a3 * s3_mp;
-    const wide Y1_2_mm = d4 * c3_mm - a3 * v11;
-    const wide v18 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v19 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v20 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v21 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm;
-    const wide v22 = v18 * v18 + C2_pp * C2_pp;
-    const wide v23 = v19 * v19 + C2_pm * C2_pm;
-    const wide v24 = v20 * v20 + C2_mp * C2_mp;
-    const wide v25 = v21 * v21 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v22);
-    const wide factor2_pm = 1.0 / sqrt_wide(v23);
-    const wide factor2_mp = 1.0 / sqrt_wide(v24);
-    const wide factor2_mm = 1.0 / sqrt_wide(v25);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide v26 = v18 * factor2_pp;
-    const wide v27 = v19 * factor2_pm;
-    const wide v28 = v20 * factor2_mp;
-    const wide v29 = v21 * factor2_mm;
-    const wide angle1___ = atan2_wide(-v18, C2_pp);
-    const wide angle1____ = atan2_wide(-v19, C2_pm);
-    const wide angle1_____ = atan2_wide(-v20, C2_mp);
-    const wide angle1______ = atan2_wide(-v21, C2_mm);
+    const wide X1_2_p = m3 * N3_p - m4;
+    const wide X1_2_m = m3 * N3_m - m4;
+    const wide v8 = v3 * X1_2_p;
+    const wide v9 = v4 * X1_2_m;
+    const wide v10 = m3 * Z1_3;
+    const wide v11 = m3 * -Z1_3;
+    const wide v12 = Z1_3 * X1_2_p;
+    const wide v13 = Z1_3 * X1_2_m;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
+    const wide v14 = w3_p * (m3 * v3);
+    const wide angle1___ = atan2_wide(-(v8 + w3_p * v10), v12 - v14);
+    const wide angle1____ = atan2_wide(-(v8 + w3_p * v11), v12 + v14);
+    const wide angle1_____ = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4));
+    const wide angle1______ = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
 
     /* theta4 */
-    const wide c23_pp = c3_pp * c2_pp + s3_pp * v26;
-    const wide c23_pm = c3_pm * c2_pm - v10 * v27;
-    const wide c23_mp = c3_mp * c2_mp + s3_mp * v28;
-    const wide c23_mm = c3_mm * c2_mm - v11 * v29;
-    const wide s23_pp = s3_pp * c2_pp - c3_pp * v26;
-    const wide v30 = v10 * c2_pm + c3_pm * v27;
-    const wide s23_mp = s3_mp * c2_mp - c3_mp * v28;
-    const wide v31 = v11 * c2_mm + c3_mm * v29;
-    const wide v32 = T23 * s1 - T13 * v2;
-    const wide X4_pp = T33 * c23_pp + s23_pp * v32;
-    const wide X4_pm = T33 * c23_pm - v30 * v32;
-    const wide X4_mp = T33 * c23_mp - s23_mp * v32;
-    const wide X4_mm = T33 * c23_mm + v31 * v32;
-    const wide v33 = T23 * v2 + T13 * s1;
-    const wide v34 = v33 * v33;
-    const wide v35 = v34 + X4_pp * X4_pp;
-    const wide v36 = v34 + X4_pm * X4_pm;
-    const wide v37 = v34 + X4_mp * X4_mp;
-    const wide v38 = v34 + X4_mm * X4_mm;
-    const wide angle1_______ = atan2_wide(-v33, -X4_pp);
-    const wide angle1________ = atan2_wide(-v33, -X4_pm);
-    const wide angle1_________ = atan2_wide(v33, -X4_mp);
-    const wide angle1__________ = atan2_wide(v33, -X4_mm);
-    const wide v39 = copysign_wide(all_wide(half_turn), -v33) * h1;
-    const wide v40 = copysign_wide(all_wide(half_turn), v33) * h1;
-    const wide q4_ppm = angle1_______ - v39;
-    const wide q4_pmm = angle1________ - v39;
-    const wide q4_mpm = angle1_________ - v40;
-    const wide q4_mmm = angle1__________ - v40;
+    const wide v15 = m5 * Z1_3;
+    const wide v16 = m6 + m7 * factor2_p;
+    const wide v17 = m6 + m7 * factor2_m;
+    const wide v18 = m5 + m8 * factor2_p;
+    const wide v19 = m5 + m8 * factor2_m;
+    const wide v20 = Z1_3 * v16 - v3 * v18;
+    const wide v21 = Z1_3 * v17 - v4 * v19;
+    const wide v22 = w3_p * (factor2_p * (v15 + m6 * v3));
+    const wide c23_pp = v20 + v22;
+    const wide c23_pm = v20 - v22;
+    const wide v23 = w3_m * (factor2_m * (v15 + m6 * v4));
+    const wide c23_mp = v21 + v23;
+    const wide c23_mm = v21 - v23;
+    const wide v24 = m6 * Z1_3;
+    const wide v25 = v24 - m5 * v3;
+    const wide v26 = v24 - m5 * v4;
+    const wide v27 = Z1_3 * v18 + v3 * v16;
+    const wide v28 = Z1_3 * v19 + v4 * v17;
+    const wide s23_pp = w3_p * (factor2_p * v25) - v27;
+    const wide s23_pm = w3_p * (factor2_p * -v25) - v27;
+    const wide s23_mp = w3_m * (factor2_m * v26) - v28;
+    const wide s23_mm = w3_m * (factor2_m * -v26) - v28;
+    const wide v29 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * c23_pp + s23_pp * v29;
+    const wide X4_pm = T33 * c23_pm + s23_pm * v29;
+    const wide X4_mp = T33 * c23_mp - s23_mp * v29;
+    const wide X4_mm = T33 * c23_mm - s23_mm * v29;
+    const wide v30 = T23 * v2 + T13 * s1;
+    const wide v31 = v30 * v30;
+    const wide v32 = v31 + X4_pp * X4_pp;
+    const wide v33 = v31 + X4_pm * X4_pm;
+    const wide v34 = v31 + X4_mp * X4_mp;
+    const wide v35 = v31 + X4_mm * X4_mm;
+    const wide angle1_______ = atan2_wide(-v30, -X4_pp);
+    const wide angle1________ = atan2_wide(-v30, -X4_pm);
+    const wide angle1_________ = atan2_wide(v30, -X4_mp);
+    const wide angle1__________ = atan2_wide(v30, -X4_mm);
+    const wide v36 = copysign_wide(all_wide(half_turn), -v30) * h1;
+    const wide v37 = copysign_wide(all_wide(half_turn), v30) * h1;
+    const wide q4_ppm = angle1_______ - v36;
+    const wide q4_pmm = angle1________ - v36;
+    const wide q4_mpm = angle1_________ - v37;
+    const wide q4_mmm = angle1__________ - v37;
 
     /* theta5 */
-    const wide angle1___________ = atan2_wide(sqrt_wide(v35), c23_pp * v32 - T33 * s23_pp);
-    const wide angle1____________ = atan2_wide(sqrt_wide(v36), c23_pm * v32 + T33 * v30);
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v37), -(c23_mp * v32 + T33 * s23_mp));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v38), T33 * v31 - c23_mm * v32);
+    const wide angle1___________ = atan2_wide(sqrt_wide(v32), c23_pp * v29 - T33 * s23_pp);
+    const wide angle1____________ = atan2_wide(sqrt_wide(v33), c23_pm * v29 - T33 * s23_pm);
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v34), -(c23_mp * v29 + T33 * s23_mp));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
 
     /* theta6 */
-    const wide v41 = s1 * T12 + v2 * T22;
-    const wide v42 = s1 * T22 - v2 * T12;
-    const wide v43 = s1 * T11 + v2 * T21;
-    const wide v44 = s1 * T21 - v2 * T11;
-    const wide v45 = X4_pp * v43 - v33 * (c23_pp * T31 + s23_pp * v44);
-    const wide v46 = X4_pm * v43 - v33 * (c23_pm * T31 - v30 * v44);
-    const wide v47 = v33 * (c23_mp * T31 - s23_mp * v44) - X4_mp * v43;
-    const wide v48 = v33 * (c23_mm * T31 + v31 * v44) - X4_mm * v43;
-    const wide angle1_______________ = atan2_wide(v45, X4_pp * v41 - v33 * (c23_pp * T32 + s23_pp *
-        v42));
-    const wide angle1________________ = atan2_wide(v46, X4_pm * v41 - v33 * (c23_pm * T32 - v30 *
-        v42));
-    const wide angle1_________________ = atan2_wide(v47, v33 * (c23_mp * T32 - s23_mp * v42) - X4_mp
-        * v41);
-    const wide angle1__________________ = atan2_wide(v48, v33 * (c23_mm * T32 + v31 * v42) - X4_mm *
-        v41);
-    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v47);
-    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide v38 = s1 * T12 + v2 * T22;
+    const wide v39 = s1 * T22 - v2 * T12;
+    const wide v40 = s1 * T11 + v2 * T21;
+    const wide v41 = s1 * T21 - v2 * T11;
+    const wide v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41);
+    const wide v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41);
+    const wide v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40;
+    const wide v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40;
+    const wide angle1_______________ = atan2_wide(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp *
+        v39));
+    const wide angle1________________ = atan2_wide(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm *
+        v39));
+    const wide angle1_________________ = atan2_wide(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp
+        * v38);
+    const wide angle1__________________ = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) -
+        X4_mm * v38);
+    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
-    const wide v49 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v50 = pick_wide(-v16 <= -half_turn, all_wide(m5), all_wide(0.0)) - v16;
-    const wide v51 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v52 = pick_wide(-v17 <= -half_turn, all_wide(m5), all_wide(0.0)) - v17;
+    const wide v46 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v47 = pick_wide(-v6 <= -half_turn, all_wide(m10), all_wide(0.0)) - v6;
+    const wide v48 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v49 = pick_wide(-v7 <= -half_turn, all_wide(m10), all_wide(0.0)) - v7;
+    const wide v50 = v46 - pick_wide(high3 < v46, all_wide(whole_turn), all_wide(0.0));
+    const wide v51 = v47 - pick_wide(high3 < v47, all_wide(whole_turn), all_wide(0.0));
+    const wide v52 = v48 - pick_wide(high3 < v48, all_wide(whole_turn), all_wide(0.0));
     const wide v53 = v49 - pick_wide(high3 < v49, all_wide(whole_turn), all_wide(0.0));
-    const wide v54 = v50 - pick_wide(high3 < v50, all_wide(whole_turn), all_wide(0.0));
-    const wide v55 = v51 - pick_wide(high3 < v51, all_wide(whole_turn), all_wide(0.0));
-    const wide v56 = v52 - pick_wide(high3 < v52, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v54 = (v50 < low3) | (high3 < v50);
+    const wide_mask v55 = (v51 < low3) | (high3 < v51);
+    const wide_mask v56 = (v52 < low3) | (high3 < v52);
     const wide_mask v57 = (v53 < low3) | (high3 < v53);
-    const wide_mask v58 = (v54 < low3) | (high3 < v54);
-    const wide_mask v59 = (v55 < low3) | (high3 < v55);
-    const wide_mask v60 = (v56 < low3) | (high3 < v56);
-    const wide q3_ppp = pick_wide(v57, v49, v53);
-    const wide q3_pmp = pick_wide(v58, v50, v54);
-    const wide q3_mpp = pick_wide(v59, v51, v55);
-    const wide q3_mmp = pick_wide(v60, v52, v56);
+    const wide q3_ppp = pick_wide(v54, v46, v50);
+    const wide q3_pmp = pick_wide(v55, v47, v51);
+    const wide q3_mpp = pick_wide(v56, v48, v52);
+    const wide q3_mmp = pick_wide(v57, v49, v53);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask v61 = v57 | ((angle1___ < low2) | (high2 < angle1___));
-    const wide_mask v62 = v58 | ((angle1____ < low2) | (high2 < angle1____));
-    const wide_mask v63 = v59 | ((angle1_____ < low2) | (high2 < angle1_____));
-    const wide_mask v64 = v60 | ((angle1______ < low2) | (high2 < angle1______));
-    const wide_mask outside_ppp = v61 | ((angle1___________ < low5) | (high5 < angle1___________));
-    const wide_mask outside_ppm = v61 | ((-angle1___________ < low5) | (high5 <
+    const wide_mask v58 = v54 | ((angle1___ < low2) | (high2 < angle1___));
+    const wide_mask v59 = v55 | ((angle1____ < low2) | (high2 < angle1____));
+    const wide_mask v60 = v56 | ((angle1_____ < low2) | (high2 < angle1_____));
+    const wide_mask v61 = v57 | ((angle1______ < low2) | (high2 < angle1______));
+    const wide_mask outside_ppp = v58 | ((angle1___________ < low5) | (high5 < angle1___________));
+    const wide_mask outside_ppm = v58 | ((-angle1___________ < low5) | (high5 <
         -angle1___________));
-    const wide_mask outside_pmp = v62 | ((angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmp = v59 | ((angle1____________ < low5) | (high5 <
         angle1____________));
-    const wide_mask outside_pmm = v62 | ((-angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmm = v59 | ((-angle1____________ < low5) | (high5 <
         -angle1____________));
-    const wide_mask outside_mpp = v63 | ((angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpp = v60 | ((angle1_____________ < low5) | (high5 <
         angle1_____________));
-    const wide_mask outside_mpm = v63 | ((-angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpm = v60 | ((-angle1_____________ < low5) | (high5 <
         -angle1_____________));
-    const wide_mask outside_mmp = v64 | ((angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmp = v61 | ((angle1______________ < low5) | (high5 <
         angle1______________));
-    const wide_mask outside_mmm = v64 | ((-angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmm = v61 | ((-angle1______________ < low5) | (high5 <
         -angle1______________));
-    const wide_mask doubt = ((v25 <= m3) | (v38 <= m4)) | (((v24 <= m3) | (v37 <= m4)) | (((v23 <=
-        m3) | (v36 <= m4)) | (((v22 <= m3) | (v35 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
-        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
+        ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1___;
@@ -685,73 +758,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -779,122 +789,80 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
-    const four K3 = N3 - k3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k1 * K3;
-    const four v7 = k2 * w3;
-    const four s3 = k4 * (e2 * v7 - v6);
-    const four v8 = k2 * K3;
-    const four v9 = k1 * w3;
-    const four c3 = k4 * (v8 + e2 * v9);
 
     /* theta2 */
-    const four X1_2 = a2 + (a3 * c3 - d4 * s3);
-    const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v10 = v4 * X1_2 + Z1_3 * Y1_2;
-    const four C2 = Z1_3 * X1_2 - v4 * Y1_2;
-    const four v11 = v10 * v10 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
-    const four c2 = C2 * factor2;
-    const four v12 = v10 * factor2;
+    const four X1_2 = m3 * N3 - m4;
+    const four v6 = v4 * X1_2;
+    const four v7 = m3 * (e2 * Z1_3);
+    const four v8 = Z1_3 * X1_2;
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * c2 + s3 * v12;
-    const four s23 = s3 * c2 - c3 * v12;
-    const double v13 = T23 * s1 - T13 * v2;
-    const four X4 = T33 * c23 + e1 * (s23 * v13);
-    const double v14 = T23 * v2 + T13 * s1;
-    const double v15 = v14 * v14;
-    const four v16 = v15 + X4 * X4;
-    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
+    const double v9 = m5 * Z1_3;
+    const four v10 = v9 + m6 * v4;
+    const four v11 = m6 + m7 * factor2;
+    const four v12 = m5 + m8 * factor2;
+    const four v13 = Z1_3 * v11 - v4 * v12;
+    const four c23 = v13 + w3 * (factor2 * (e2 * v10));
+    const double v14 = m6 * Z1_3;
+    const four v15 = v14 - m5 * v4;
+    const four v16 = Z1_3 * v12 + v4 * v11;
+    const four s23 = w3 * (factor2 * (e2 * v15)) - v16;
+    const double v17 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * c23 + e1 * (s23 * v17);
+    const double v18 = T23 * v2 + T13 * s1;
+    const double v19 = v18 * v18;
+    const four v20 = v19 + X4 * X4;
+    const four_mask doubt3 = v20 <= m9;
+    const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v18 = s1 * T12 + v2 * T22;
-    const double v19 = s1 * T22 - v2 * T12;
-    const double v20 = s1 * T11 + v2 * T21;
-    const double v21 = s1 * T21 - v2 * T11;
-    const four v22 = e1 * (X4 * v20 - v14 * (c23 * T31 + e1 * (s23 * v21)));
+    const double v22 = s1 * T12 + v2 * T22;
+    const double v23 = s1 * T22 - v2 * T12;
+    const double v24 = s1 * T11 + v2 * T21;
+    const double v25 = s1 * T21 - v2 * T11;
+    const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
     /* joint values */
-    const four_mask v27 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((v11 <= m3) | (v16 <= m4)) | v27;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(-v10, C2);
-    const four angle1___ = atan2_four(-(e1 * v14), -X4);
-    const four angle1____ = atan2_four(sqrt_four(v16), e1 * (c23 * v13) - T33 * s23);
-    const four angle1_____ = atan2_four(v22, e1 * (X4 * v18 - v14 * (c23 * T32 + e1 * (s23 *
-        v19))));
+    const four angle1__ = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4)));
+    const four angle1___ = atan2_four(-(e1 * v18), -X4);
+    const four angle1____ = atan2_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);
+    const four angle1_____ = atan2_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 *
+        v23))));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
+        __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1___ - v17;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v22);
-    const four v23 = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
-    const four v24 = v23 - pick_four(high3 < v23, all_four(whole_turn), all_four(0.0));
-    const four_mask v25 = (v24 < low3) | (high3 < v24);
-    const four q3_p = pick_four(v25, v23, v24);
+    const four q4_m = angle1___ - v21;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = q3_ + pick_four(q3_ <= -half_turn, all_four(m10), all_four(0.0));
+    const four v28 = v27 - pick_four(high3 < v27, all_four(whole_turn), all_four(0.0));
+    const four_mask v29 = (v28 < low3) | (high3 < v28);
+    const four q3_p = pick_four(v29, v27, v28);
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v26 = v25 | ((angle1__ < low2) | (high2 < angle1__));
-    const four_mask outside_p = v26 | ((angle1____ < low5) | (high5 < angle1____));
-    const four_mask outside_m = v26 | ((-angle1____ < low5) | (high5 < -angle1____));
+    const four_mask v30 = v29 | ((angle1__ < low2) | (high2 < angle1__));
+    const four_mask outside_p = v30 | ((angle1____ < low5) | (high5 < angle1____));
+    const four_mask outside_m = v30 | ((-angle1____ < low5) | (high5 < -angle1____));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * ABB_IRB4600_UNREACHABLE + (outside1 & ~none1) *
+        ABB_IRB4600_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef ABB_IRB6640_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DABB_IRB6640_SCALAR. With -DABB_IRB6640_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(ABB_IRB6640_SCALAR) && !defined(ABB_IRB6640_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef ABB_IRB6640_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & ABB_IRB6640_UNREACHABLE) \
+        | (~(none) & (outside) & ABB_IRB6640_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)ABB_IRB6640_UNREACHABLE \
+        : (outside) ? (int)ABB_IRB6640_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.78; /* joint offset 1 [m] */
 static const double a1 = 0.32; /* link length 1 [m] */
 static const double a2 = 1.075; /* link length 2 [m] */
@@ -47,9 +349,14 @@ static const double high3 = 1.222000001; /* highest value of joint 3 */
 static const double low5 = -2.094000001; /* lowest value of joint 5 */
 static const double high5 = 2.094000001; /* highest value of joint 5 */
 static const double m1 = 1.5737089000000004e-23; /* free_limit1^2 [m^2] */
-static const double m3 = 2.4765597019392095e-46; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 0.46511627906976744; /* a coefficient of Y1_2 */
+static const double m4 = 0.38234372093023233; /* a coefficient of Y1_2 */
+static const double m5 = 0.050564706643797946; /* a coefficient of c23 */
+static const double m6 = 0.35193035824083363; /* a coefficient of c23 */
+static const double m7 = 0.2893004797579363; /* a coefficient of c23 */
+static const double m8 = 0.04156616088476098; /* a coefficient of c23 */
+static const double m9 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const abb_irb6640_branches[8] = {
@@ -59,12 +366,6 @@ const char *const abb_irb6640_branches[8] = {
 
 static const double lowest[6] = { -2.967, -1.134, -3.142, -5.236, -2.094, -6.283 };
 static const double highest[6] = { 2.967, 1.4855, 1.222, 5.236, 2.094, 6.283 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void abb_irb6640_fk(const double q[6], double T[16])
 {
@@ -239,209 +540,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef ABB_IRB6640_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DABB_IRB6640_SCALAR. With -DABB_IRB6640_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(ABB_IRB6640_SCALAR) && !defined(ABB_IRB6640_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef ABB_IRB6640_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ABB_IRB6640_UNREACHABLE) \
-        | (~(none) & (outside) & ABB_IRB6640_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)ABB_IRB6640_UNREACHABLE \
-        : (outside) ? (int)ABB_IRB6640_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -468,186 +566,161 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = Z1_3 * Z1_3;
     const wide N3_p = v5 + v3 * v3;
     const wide N3_m = v5 + v4 * v4;
-    const wide K3_p = N3_p - k3;
-    const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = k1 * K3_p;
-    const wide v7 = k1 * K3_m;
-    const wide v8 = k2 * w3_p;
-    const wide v9 = k2 * w3_m;
-    const wide s3_pp = k4 * (v8 - v6);
-    const wide v10 = k4 * (v6 + v8);
-    const wide s3_mp = k4 * (v9 - v7);
-    const wide v11 = k4 * (v7 + v9);
-    const wide v12 = k2 * K3_p;
-    const wide v13 = k2 * K3_m;
-    const wide v14 = k1 * w3_p;
-    const wide v15 = k1 * w3_m;
-    const wide c3_pp = k4 * (v12 + v14);
-    const wide c3_pm = k4 * (v12 - v14);
-    const wide c3_mp = k4 * (v13 + v15);
-    const wide c3_mm = k4 * (v13 - v15);
-    const wide angle1_ = atan2_wide(w3_p, K3_p);
-    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
+    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle1_ - turn1;
-    const wide v16 = turn1 + angle1_;
+    const wide v6 = turn1 + angle1_;
     const wide q3__mp = angle1__ - turn1;
-    const wide v17 = turn1 + angle1__;
+    const wide v7 = turn1 + angle1__;
 
     /* theta2 */
-    const wide v18 = d4 * c3_pp + a3 * s3_pp;
-    const wide v19 = d4 * c3_pm - a3 * v10;
-    const wide v20 = d4 * c3_mp + a3 * s3_mp;
-    const wide v21 = d4 * c3_mm - a3 * v11;
-    const wide Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp);
-    const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10);
-    const wide Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp);
-    const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11);
-    const wide S2_pp = v3 * v18 - Z1_3 * Y1_2_pp;
-    const wide S2_pm = v3 * v19 - Z1_3 * Y1_2_pm;
-    const wide S2_mp = v4 * v20 - Z1_3 * Y1_2_mp;
-    const wide S2_mm = v4 * v21 - Z1_3 * Y1_2_mm;
-    const wide v22 = Z1_3 * v18 + v3 * Y1_2_pp;
-    const wide v23 = Z1_3 * v19 + v3 * Y1_2_pm;
-    const wide v24 = Z1_3 * v20 + v4 * Y1_2_mp;
-    const wide v25 = Z1_3 * v21 + v4 * Y1_2_mm;
-    const wide v26 = S2_pp * S2_pp + v22 * v22;
-    const wide v27 = S2_pm * S2_pm + v23 * v23;
-    const wide v28 = S2_mp * S2_mp + v24 * v24;
-    const wide v29 = S2_mm * S2_mm + v25 * v25;
-    const wide factor2_pp = 1.0 / sqrt_wide(v26);
-    const wide factor2_pm = 1.0 / sqrt_wide(v27);
-    const wide factor2_mp = 1.0 / sqrt_wide(v28);
-    const wide factor2_mm = 1.0 / sqrt_wide(v29);
-    const wide v30 = v22 * factor2_pp;
-    const wide v31 = v23 * factor2_pm;
-    const wide v32 = v24 * factor2_mp;
-    const wide v33 = v25 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide Y1_2_p = m3 * N3_p - m4;
+    const wide Y1_2_m = m3 * N3_m - m4;
+    const wide v8 = Z1_3 * -Y1_2_p;
+    const wide v9 = Z1_3 * -Y1_2_m;
+    const wide v10 = v3 * Y1_2_p;
+    const wide v11 = v4 * Y1_2_m;
+    const wide v12 = m3 * Z1_3;
+    const wide v13 = m3 * -Z1_3;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v34 = c3_pp * v30 + s3_pp * s2_pp;
-    const wide v35 = c3_pm * v31 - v10 * s2_pm;
-    const wide v36 = c3_mp * v32 + s3_mp * s2_mp;
-    const wide v37 = c3_mm * v33 - v11 * s2_mm;
-    const wide s23_pp = c3_pp * s2_pp - s3_pp * v30;
-    const wide s23_pm = c3_pm * s2_pm + v10 * v31;
-    const wide s23_mp = c3_mp * s2_mp - s3_mp * v32;
-    const wide s23_mm = c3_mm * s2_mm + v11 * v33;
-    const wide v38 = T23 * s1 - T13 * v2;
-    const wide X4_pp = T33 * s23_pp + v34 * v38;
-    const wide X4_pm = T33 * s23_pm + v35 * v38;
-    const wide X4_mp = T33 * s23_mp - v36 * v38;
-    const wide X4_mm = T33 * s23_mm - v37 * v38;
+    const wide v14 = m5 * Z1_3;
+    const wide v15 = v14 - m6 * v3;
+    const wide v16 = v14 - m6 * v4;
+    const wide v17 = m6 + m7 * factor2_p;
+    const wide v18 = m6 + m7 * factor2_m;
+    const wide v19 = m5 + m8 * factor2_p;
+    const wide v20 = m5 + m8 * factor2_m;
+    const wide v21 = Z1_3 * v17 + v3 * v19;
+    const wide v22 = Z1_3 * v18 + v4 * v20;
+    const wide c23_pp = w3_p * (factor2_p * v15) - v21;
+    const wide c23_pm = w3_p * (factor2_p * -v15) - v21;
+    const wide c23_mp = w3_m * (factor2_m * v16) - v22;
+    const wide c23_mm = w3_m * (factor2_m * -v16) - v22;
+    const wide v23 = m6 * Z1_3;
+    const wide v24 = v3 * v17 - Z1_3 * v19;
+    const wide v25 = v4 * v18 - Z1_3 * v20;
+    const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
+    const wide s23_pp = v24 - v26;
+    const wide s23_pm = v24 + v26;
+    const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
+    const wide s23_mp = v25 - v27;
+    const wide s23_mm = v25 + v27;
+    const wide v28 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * s23_pp - c23_pp * v28;
+    const wide X4_pm = T33 * s23_pm - c23_pm * v28;
+    const wide X4_mp = T33 * s23_mp + c23_mp * v28;
+    const wide X4_mm = T33 * s23_mm + c23_mm * v28;
     const wide Y4 = T13 * s1 + T23 * v2;
-    const wide v39 = Y4 * Y4;
-    const wide v40 = v39 + X4_pp * X4_pp;
-    const wide v41 = v39 + X4_pm * X4_pm;
-    const wide v42 = v39 + X4_mp * X4_mp;
-    const wide v43 = v39 + X4_mm * X4_mm;
+    const wide v29 = Y4 * Y4;
+    const wide v30 = v29 + X4_pp * X4_pp;
+    const wide v31 = v29 + X4_pm * X4_pm;
+    const wide v32 = v29 + X4_mp * X4_mp;
+    const wide v33 = v29 + X4_mm * X4_mm;
     const wide angle1___ = atan2_wide(Y4, -X4_pp);
     const wide angle1____ = atan2_wide(Y4, -X4_pm);
     const wide angle1_____ = atan2_wide(-Y4, -X4_mp);
     const wide angle1______ = atan2_wide(-Y4, -X4_mm);
-    const wide v44 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v45 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1___ - v44;
-    const wide q4_pmm = angle1____ - v44;
-    const wide q4_mpm = angle1_____ - v45;
-    const wide q4_mmm = angle1______ - v45;
+    const wide v34 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v35 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1___ - v34;
+    const wide q4_pmm = angle1____ - v34;
+    const wide q4_mpm = angle1_____ - v35;
+    const wide q4_mmm = angle1______ - v35;
 
     /* theta6 */
-    const wide v46 = v2 * T22 + s1 * T12;
-    const wide v47 = s1 * T22 - v2 * T12;
-    const wide v48 = v2 * T21 + s1 * T11;
-    const wide v49 = s1 * T21 - v2 * T11;
-    const wide v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49);
-    const wide v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49);
-    const wide v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48;
-    const wide v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48;
-    const wide angle1_______ = atan2_wide(v50, X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47));
-    const wide angle1________ = atan2_wide(v51, X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47));
-    const wide angle1_________ = atan2_wide(v52, Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46);
-    const wide angle1__________ = atan2_wide(v53, Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46);
-    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v50);
-    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v51);
-    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v52);
-    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v53);
+    const wide v36 = v2 * T22 + s1 * T12;
+    const wide v37 = s1 * T22 - v2 * T12;
+    const wide v38 = v2 * T21 + s1 * T11;
+    const wide v39 = s1 * T21 - v2 * T11;
+    const wide v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38;
+    const wide v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38;
+    const wide v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38;
+    const wide v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38;
+    const wide angle1_______ = atan2_wide(v40, Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36);
+    const wide angle1________ = atan2_wide(v41, Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36);
+    const wide angle1_________ = atan2_wide(v42, Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36);
+    const wide angle1__________ = atan2_wide(v43, Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36);
+    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v40);
+    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v43);
 
     /* joint values */
-    const wide angle1___________ = atan2_wide(S2_pp, -v22);
-    const wide v54 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(S2_pm, -v23);
-    const wide v55 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(S2_mp, -v24);
-    const wide v56 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(S2_mm, -v25);
-    const wide v57 = angle1______________ - offset2;
-    const wide q2_ppp = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v40), s23_pp * v38 - T33 * v34);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v41), s23_pm * v38 - T33 * v35);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v42), -(s23_mp * v38 + T33 * v36));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v43), -(s23_mm * v38 + T33 * v37));
-    const wide v58 = angle1_______________ - offset5;
-    const wide v59 = offset5 + angle1_______________;
-    const wide v60 = angle1________________ - offset5;
-    const wide v61 = offset5 + angle1________________;
-    const wide v62 = angle1_________________ - offset5;
-    const wide v63 = offset5 + angle1_________________;
-    const wide v64 = angle1__________________ - offset5;
-    const wide v65 = offset5 + angle1__________________;
-    const wide q5_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v59 <= -half_turn, all_wide(m5), all_wide(0.0)) - v59;
-    const wide q5_pmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v61 <= -half_turn, all_wide(m5), all_wide(0.0)) - v61;
-    const wide q5_mpp = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v63 <= -half_turn, all_wide(m5), all_wide(0.0)) - v63;
-    const wide q5_mmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v65 <= -half_turn, all_wide(m5), all_wide(0.0)) - v65;
-    const wide v66 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v67 = pick_wide(-v16 <= -half_turn, all_wide(m5), all_wide(0.0)) - v16;
-    const wide v68 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v69 = pick_wide(-v17 <= -half_turn, all_wide(m5), all_wide(0.0)) - v17;
-    const wide_mask v70 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v71 = (q1__m < low1) | (high1 < q1__m);
-    const wide v72 = v66 - pick_wide(high3 < v66, all_wide(whole_turn), all_wide(0.0));
-    const wide v73 = v67 - pick_wide(high3 < v67, all_wide(whole_turn), all_wide(0.0));
-    const wide v74 = v68 - pick_wide(high3 < v68, all_wide(whole_turn), all_wide(0.0));
-    const wide v75 = v69 - pick_wide(high3 < v69, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v76 = (v72 < low3) | (high3 < v72);
-    const wide_mask v77 = (v73 < low3) | (high3 < v73);
-    const wide_mask v78 = (v74 < low3) | (high3 < v74);
-    const wide_mask v79 = (v75 < low3) | (high3 < v75);
-    const wide q3_ppp = pick_wide(v76, v66, v72);
-    const wide q3_pmp = pick_wide(v77, v67, v73);
-    const wide q3_mpp = pick_wide(v78, v68, v74);
-    const wide q3_mmp = pick_wide(v79, v69, v75);
+    const wide v44 = w3_p * (m3 * v3);
+    const wide angle1___________ = atan2_wide(v8 + v44, -(v10 + w3_p * v12));
+    const wide v45 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(v8 - v44, -(v10 + w3_p * v13));
+    const wide v46 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12));
+    const wide v47 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13));
+    const wide v48 = angle1______________ - offset2;
+    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m10), all_wide(0.0));
+    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m10), all_wide(0.0));
+    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
+    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v30), T33 * c23_pp + s23_pp * v28);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v31), T33 * c23_pm + s23_pm * v28);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v32), T33 * c23_mp - s23_mp * v28);
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v33), T33 * c23_mm - s23_mm * v28);
+    const wide v49 = angle1_______________ - offset5;
+    const wide v50 = offset5 + angle1_______________;
+    const wide v51 = angle1________________ - offset5;
+    const wide v52 = offset5 + angle1________________;
+    const wide v53 = angle1_________________ - offset5;
+    const wide v54 = offset5 + angle1_________________;
+    const wide v55 = angle1__________________ - offset5;
+    const wide v56 = offset5 + angle1__________________;
+    const wide q5_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v50 <= -half_turn, all_wide(m10), all_wide(0.0)) - v50;
+    const wide q5_pmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v52 <= -half_turn, all_wide(m10), all_wide(0.0)) - v52;
+    const wide q5_mpp = v53 + pick_wide(v53 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) - v54;
+    const wide q5_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) - v56;
+    const wide v57 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v58 = pick_wide(-v6 <= -half_turn, all_wide(m10), all_wide(0.0)) - v6;
+    const wide v59 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v60 = pick_wide(-v7 <= -half_turn, all_wide(m10), all_wide(0.0)) - v7;
+    const wide_mask v61 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v62 = (q1__m < low1) | (high1 < q1__m);
+    const wide v63 = v57 - pick_wide(high3 < v57, all_wide(whole_turn), all_wide(0.0));
+    const wide v64 = v58 - pick_wide(high3 < v58, all_wide(whole_turn), all_wide(0.0));
+    const wide v65 = v59 - pick_wide(high3 < v59, all_wide(whole_turn), all_wide(0.0));
+    const wide v66 = v60 - pick_wide(high3 < v60, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v67 = (v63 < low3) | (high3 < v63);
+    const wide_mask v68 = (v64 < low3) | (high3 < v64);
+    const wide_mask v69 = (v65 < low3) | (high3 < v65);
+    const wide_mask v70 = (v66 < low3) | (high3 < v66);
+    const wide q3_ppp = pick_wide(v67, v57, v63);
+    const wide q3_pmp = pick_wide(v68, v58, v64);
+    const wide q3_mpp = pick_wide(v69, v59, v65);
+    const wide q3_mmp = pick_wide(v70, v60, v66);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v80 = v76 | (v70 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v81 = v77 | (v70 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v82 = v78 | (v71 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v83 = v79 | (v71 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v81 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v82 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((v29 <= m3) | (v43 <= m4)) | (((v28 <= m3) | (v42 <= m4)) | (((v27 <=
-        m3) | (v41 <= m4)) | (((v26 <= m3) | (v40 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
-        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask v71 = v67 | (v61 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v72 = v68 | (v61 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v73 = v69 | (v62 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v74 = v70 | (v62 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v71 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v71 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v72 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v72 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v73 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v73 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v74 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v74 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v33 <= m9) | ((v32 <= m9) |
+        ((v31 <= m9) | ((v1 <= m1) | (v30 <= m9))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -706,73 +779,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -800,130 +810,88 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
-    const four K3 = N3 - k3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k1 * K3;
-    const four v7 = k2 * w3;
-    const four s3 = k4 * (e2 * v7 - v6);
-    const four v8 = k2 * K3;
-    const four v9 = k1 * w3;
-    const four c3 = k4 * (v8 + e2 * v9);
 
     /* theta2 */
-    const four v10 = d4 * c3 + a3 * s3;
-    const four Y1_2 = a2 + (a3 * c3 - d4 * s3);
-    const four S2 = v4 * v10 - Z1_3 * Y1_2;
-    const four v11 = Z1_3 * v10 + v4 * Y1_2;
-    const four v12 = S2 * S2 + v11 * v11;
-    const four factor2 = 1.0 / sqrt_four(v12);
-    const four v13 = v11 * factor2;
-    const four s2 = S2 * factor2;
+    const four Y1_2 = m3 * N3 - m4;
+    const four v6 = Z1_3 * -Y1_2;
+    const four v7 = v4 * Y1_2;
+    const four v8 = m3 * (e2 * Z1_3);
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four v14 = c3 * v13 + s3 * s2;
-    const four s23 = c3 * s2 - s3 * v13;
-    const double v15 = T23 * s1 - T13 * v2;
-    const four X4 = T33 * s23 + e1 * (v14 * v15);
+    const double v9 = m5 * Z1_3;
+    const four v10 = v9 - m6 * v4;
+    const four v11 = m6 + m7 * factor2;
+    const four v12 = m5 + m8 * factor2;
+    const four v13 = Z1_3 * v11 + v4 * v12;
+    const four c23 = w3 * (factor2 * (e2 * v10)) - v13;
+    const double v14 = m6 * Z1_3;
+    const four v15 = v14 + m5 * v4;
+    const four v16 = v4 * v11 - Z1_3 * v12;
+    const four s23 = v16 - w3 * (factor2 * (e2 * v15));
+    const double v17 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * s23 - e1 * (c23 * v17);
     const double Y4 = T13 * s1 + T23 * v2;
-    const double v16 = Y4 * Y4;
-    const four v17 = v16 + X4 * X4;
-    const four v18 = e1 * Y4;
-    const four v19 = copysign_four(all_four(half_turn), v18) * h1;
+    const double v18 = Y4 * Y4;
+    const four v19 = v18 + X4 * X4;
+    const four_mask doubt3 = v19 <= m9;
+    const four v20 = e1 * Y4;
+    const four v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v20 = v2 * T22 + s1 * T12;
-    const double v21 = s1 * T22 - v2 * T12;
-    const double v22 = v2 * T21 + s1 * T11;
-    const double v23 = s1 * T21 - v2 * T11;
-    const four v24 = e1 * (X4 * v22 - Y4 * (s23 * T31 + e1 * (v14 * v23)));
+    const double v22 = v2 * T22 + s1 * T12;
+    const double v23 = s1 * T22 - v2 * T12;
+    const double v24 = v2 * T21 + s1 * T11;
+    const double v25 = s1 * T21 - v2 * T11;
+    const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) - -X4 * v24);
 
     /* joint values */
-    const four_mask v33 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((v12 <= m3) | (v17 <= m4)) | v33;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(v18, -X4);
-    const four angle1___ = atan2_four(v24, e1 * (X4 * v20 - Y4 * (s23 * T32 + e1 * (v14 * v21))));
-    const four angle1____ = atan2_four(S2, -v11);
-    const four angle1_____ = atan2_four(sqrt_four(v17), e1 * (s23 * v15) - T33 * v14);
+    const four angle1__ = atan2_four(v20, -X4);
+    const four angle1___ = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
+    const four angle1____ = atan2_four(v6 + w3 * (m3 * (e2 * v4)), -(v7 + w3 * v8));
+    const four angle1_____ = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(K3, all_four(-wx), 0, 5, 2, 3));
+        __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
     const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v19;
-    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v24);
-    const four v25 = angle1____ - offset2;
-    const four q2_p = v25 - pick_four(half_turn < v25, all_four(m5), all_four(0.0));
-    const four v26 = angle1_____ - offset5;
-    const four v27 = offset5 + angle1_____;
-    const four q5_p = v26 + pick_four(v26 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q5_m = pick_four(-v27 <= -half_turn, all_four(m5), all_four(0.0)) - v27;
-    const four v28 = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
-    const four_mask v29 = (q1_ < low1) | (high1 < q1_);
-    const four v30 = v28 - pick_four(high3 < v28, all_four(whole_turn), all_four(0.0));
-    const four_mask v31 = (v30 < low3) | (high3 < v30);
-    const four q3_p = pick_four(v31, v28, v30);
+    const four q4_m = angle1__ - v21;
+    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = angle1____ - offset2;
+    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m10), all_four(0.0));
+    const four v28 = angle1_____ - offset5;
+    const four v29 = offset5 + angle1_____;
+    const four q5_p = v28 + pick_four(v28 <= -half_turn, all_four(m10), all_four(0.0));
+    const four q5_m = pick_four(-v29 <= -half_turn, all_four(m10), all_four(0.0)) - v29;
+    const four v30 = q3_ + pick_four(q3_ <= -half_turn, all_four(m10), all_four(0.0));
+    const four_mask v31 = (q1_ < low1) | (high1 < q1_);
+    const four v32 = v30 - pick_four(high3 < v30, all_four(whole_turn), all_four(0.0));
+    const four_mask v33 = (v32 < low3) | (high3 < v32);
+    const four q3_p = pick_four(v33, v30, v32);
     const four q1_p = q1_ + (w3 - w3);
-    const four_mask v32 = v31 | (v29 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v34 = v33 | (v31 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = v34 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v34 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * ABB_IRB6640_UNREACHABLE + (outside1 & ~none1) *
+        ABB_IRB6640_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -89,9 +89,14 @@ high3 = 1.222000001  # highest value of joint 3
 low5 = -2.094000001  # lowest value of joint 5
 high5 = 2.094000001  # highest value of joint 5
 m1 = 1.5737089000000004e-23  # free_limit1^2 [m^2]
-m3 = 2.4765597019392095e-46  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
+m3 = 0.46511627906976744  # a coefficient of Y1_2
+m4 = 0.38234372093023233  # a coefficient of Y1_2
+m5 = 0.050564706643797946  # a coefficient of c23
+m6 = 0.35193035824083363  # a coefficient of c23
+m7 = 0.2893004797579363  # a coefficient of c23
+m8 = 0.04156616088476098  # a coefficient of c23
+m9 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -536,189 +541,164 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    K3_p = N3_p - k3
-    K3_m = N3_m - k3
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = k1 * K3_p
-    v7 = k1 * K3_m
-    v8 = k2 * w3_p
-    v9 = k2 * w3_m
-    s3_pp = k4 * (v8 - v6)
-    v10 = k4 * (v6 + v8)
-    s3_mp = k4 * (v9 - v7)
-    v11 = k4 * (v7 + v9)
-    v12 = k2 * K3_p
-    v13 = k2 * K3_m
-    v14 = k1 * w3_p
-    v15 = k1 * w3_m
-    c3_pp = k4 * (v12 + v14)
-    c3_pm = k4 * (v12 - v14)
-    c3_mp = k4 * (v13 + v15)
-    c3_mm = k4 * (v13 - v15)
-    angle1_ = _atan2(w3_p, K3_p)
-    angle1__ = _atan2(w3_m, K3_m)
+    angle1_ = _atan2(w3_p, N3_p - k3)
+    angle1__ = _atan2(w3_m, N3_m - k3)
     q3__pp = angle1_ - turn1
-    v16 = turn1 + angle1_
+    v6 = turn1 + angle1_
     q3__mp = angle1__ - turn1
-    v17 = turn1 + angle1__
+    v7 = turn1 + angle1__
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v18 = d4 * c3_pp + a3 * s3_pp
-    v19 = d4 * c3_pm - a3 * v10
-    v20 = d4 * c3_mp + a3 * s3_mp
-    v21 = d4 * c3_mm - a3 * v11
-    Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
-    Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
-    Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
-    Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
-    S2_pp = v3 * v18 - Z1_3 * Y1_2_pp
-    S2_pm = v3 * v19 - Z1_3 * Y1_2_pm
-    S2_mp = v4 * v20 - Z1_3 * Y1_2_mp
-    S2_mm = v4 * v21 - Z1_3 * Y1_2_mm
-    v22 = Z1_3 * v18 + v3 * Y1_2_pp
-    v23 = Z1_3 * v19 + v3 * Y1_2_pm
-    v24 = Z1_3 * v20 + v4 * Y1_2_mp
-    v25 = Z1_3 * v21 + v4 * Y1_2_mm
-    v26 = S2_pp * S2_pp + v22 * v22
-    v27 = S2_pm * S2_pm + v23 * v23
-    v28 = S2_mp * S2_mp + v24 * v24
-    v29 = S2_mm * S2_mm + v25 * v25
-    factor2_pp = 1.0 / math.sqrt(v26)
-    factor2_pm = 1.0 / math.sqrt(v27)
-    factor2_mp = 1.0 / math.sqrt(v28)
-    factor2_mm = 1.0 / math.sqrt(v29)
-    v30 = v22 * factor2_pp
-    v31 = v23 * factor2_pm
-    v32 = v24 * factor2_mp
-    v33 = v25 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    Y1_2_p = m3 * N3_p - m4
+    Y1_2_m = m3 * N3_m - m4
+    v8 = Z1_3 * -Y1_2_p
+    v9 = Z1_3 * -Y1_2_m
+    v10 = v3 * Y1_2_p
+    v11 = v4 * Y1_2_m
+    v12 = m3 * Z1_3
+    v13 = m3 * -Z1_3
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v34 = c3_pp * v30 + s3_pp * s2_pp
-    v35 = c3_pm * v31 - v10 * s2_pm
-    v36 = c3_mp * v32 + s3_mp * s2_mp
-    v37 = c3_mm * v33 - v11 * s2_mm
-    s23_pp = c3_pp * s2_pp - s3_pp * v30
-    s23_pm = c3_pm * s2_pm + v10 * v31
-    s23_mp = c3_mp * s2_mp - s3_mp * v32
-    s23_mm = c3_mm * s2_mm + v11 * v33
-    v38 = T23 * s1 - T13 * v2
-    X4_pp = T33 * s23_pp + v34 * v38
-    X4_pm = T33 * s23_pm + v35 * v38
-    X4_mp = T33 * s23_mp - v36 * v38
-    X4_mm = T33 * s23_mm - v37 * v38
+    v14 = m5 * Z1_3
+    v15 = v14 - m6 * v3
+    v16 = v14 - m6 * v4
+    v17 = m6 + m7 * factor2_p
+    v18 = m6 + m7 * factor2_m
+    v19 = m5 + m8 * factor2_p
+    v20 = m5 + m8 * factor2_m
+    v21 = Z1_3 * v17 + v3 * v19
+    v22 = Z1_3 * v18 + v4 * v20
+    c23_pp = w3_p * (factor2_p * v15) - v21
+    c23_pm = w3_p * (factor2_p * -v15) - v21
+    c23_mp = w3_m * (factor2_m * v16) - v22
+    c23_mm = w3_m * (factor2_m * -v16) - v22
+    v23 = m6 * Z1_3
+    v24 = v3 * v17 - Z1_3 * v19
+    v25 = v4 * v18 - Z1_3 * v20
+    v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+    s23_pp = v24 - v26
+    s23_pm = v24 + v26
+    v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+    s23_mp = v25 - v27
+    s23_mm = v25 + v27
+    v28 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s23_pp - c23_pp * v28
+    X4_pm = T33 * s23_pm - c23_pm * v28
+    X4_mp = T33 * s23_mp + c23_mp * v28
+    X4_mm = T33 * s23_mm + c23_mm * v28
     Y4 = T13 * s1 + T23 * v2
-    v39 = Y4 * Y4
-    v40 = v39 + X4_pp * X4_pp
-    v41 = v39 + X4_pm * X4_pm
-    v42 = v39 + X4_mp * X4_mp
-    v43 = v39 + X4_mm * X4_mm
+    v29 = Y4 * Y4
+    v30 = v29 + X4_pp * X4_pp
+    v31 = v29 + X4_pm * X4_pm
+    v32 = v29 + X4_mp * X4_mp
+    v33 = v29 + X4_mm * X4_mm
     angle1___ = _atan2(Y4, -X4_pp)
     angle1____ = _atan2(Y4, -X4_pm)
     angle1_____ = _atan2(-Y4, -X4_mp)
     angle1______ = _atan2(-Y4, -X4_mm)
-    v44 = h1 * math.copysign(half_turn, Y4)
-    v45 = h1 * math.copysign(half_turn, -Y4)
-    q4_ppm = angle1___ - v44
-    q4_pmm = angle1____ - v44
-    q4_mpm = angle1_____ - v45
-    q4_mmm = angle1______ - v45
+    v34 = h1 * math.copysign(half_turn, Y4)
+    v35 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1___ - v34
+    q4_pmm = angle1____ - v34
+    q4_mpm = angle1_____ - v35
+    q4_mmm = angle1______ - v35
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v46 = v2 * T22 + s1 * T12
-    v47 = s1 * T22 - v2 * T12
-    v48 = v2 * T21 + s1 * T11
-    v49 = s1 * T21 - v2 * T11
-    v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49)
-    v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49)
-    v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48
-    v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48
-    angle1_______ = _atan2(v50, X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47))
-    angle1________ = _atan2(v51, X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47))
-    angle1_________ = _atan2(v52, Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46)
-    angle1__________ = _atan2(v53, Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46)
-    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v50)
-    q6_pmm = angle1________ - h1 * math.copysign(half_turn, v51)
-    q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v52)
-    q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v53)
+    v36 = v2 * T22 + s1 * T12
+    v37 = s1 * T22 - v2 * T12
+    v38 = v2 * T21 + s1 * T11
+    v39 = s1 * T21 - v2 * T11
+    v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38
+    v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
+    v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
+    v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
+    angle1_______ = _atan2(v40, Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36)
+    angle1________ = _atan2(v41, Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36)
+    angle1_________ = _atan2(v42, Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36)
+    angle1__________ = _atan2(v43, Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36)
+    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v40)
+    q6_pmm = angle1________ - h1 * math.copysign(half_turn, v41)
+    q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v42)
+    q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v43)
 
     # joint values
-    angle1___________ = _atan2(S2_pp, -v22)
-    v54 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_pm, -v23)
-    v55 = angle1____________ - offset2
-    angle1_____________ = _atan2(S2_mp, -v24)
-    v56 = angle1_____________ - offset2
-    angle1______________ = _atan2(S2_mm, -v25)
-    v57 = angle1______________ - offset2
-    q2_ppp = v54 - (m5 if half_turn < v54 else 0.0)
-    q2_pmp = v55 - (m5 if half_turn < v55 else 0.0)
-    q2_mpp = v56 - (m5 if half_turn < v56 else 0.0)
-    q2_mmp = v57 - (m5 if half_turn < v57 else 0.0)
-    angle1_______________ = _atan2(math.sqrt(v40), s23_pp * v38 - T33 * v34)
-    angle1________________ = _atan2(math.sqrt(v41), s23_pm * v38 - T33 * v35)
-    angle1_________________ = _atan2(math.sqrt(v42), -(s23_mp * v38 + T33 * v36))
-    angle1__________________ = _atan2(math.sqrt(v43), -(s23_mm * v38 + T33 * v37))
-    v58 = angle1_______________ - offset5
-    v59 = offset5 + angle1_______________
-    v60 = angle1________________ - offset5
-    v61 = offset5 + angle1________________
-    v62 = angle1_________________ - offset5
-    v63 = offset5 + angle1_________________
-    v64 = angle1__________________ - offset5
-    v65 = offset5 + angle1__________________
-    q5_ppp = v58 + (m5 if v58 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v59 <= -half_turn else 0.0) - v59
-    q5_pmp = v60 + (m5 if v60 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v61 <= -half_turn else 0.0) - v61
-    q5_mpp = v62 + (m5 if v62 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v63 <= -half_turn else 0.0) - v63
-    q5_mmp = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v65 <= -half_turn else 0.0) - v65
-    v66 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
-    v67 = (m5 if -v16 <= -half_turn else 0.0) - v16
-    v68 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
-    v69 = (m5 if -v17 <= -half_turn else 0.0) - v17
-    v70 = angle1 < low1 or high1 < angle1
-    v71 = q1__m < low1 or high1 < q1__m
-    v72 = v66 - (whole_turn if high3 < v66 else 0.0)
-    v73 = v67 - (whole_turn if high3 < v67 else 0.0)
-    v74 = v68 - (whole_turn if high3 < v68 else 0.0)
-    v75 = v69 - (whole_turn if high3 < v69 else 0.0)
-    v76 = v72 < low3 or high3 < v72
-    v77 = v73 < low3 or high3 < v73
-    v78 = v74 < low3 or high3 < v74
-    v79 = v75 < low3 or high3 < v75
-    q3_ppp = v66 if v76 else v72
-    q3_pmp = v67 if v77 else v73
-    q3_mpp = v68 if v78 else v74
-    q3_mmp = v69 if v79 else v75
+    v44 = w3_p * (m3 * v3)
+    angle1___________ = _atan2(v8 + v44, -(v10 + w3_p * v12))
+    v45 = angle1___________ - offset2
+    angle1____________ = _atan2(v8 - v44, -(v10 + w3_p * v13))
+    v46 = angle1____________ - offset2
+    angle1_____________ = _atan2(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12))
+    v47 = angle1_____________ - offset2
+    angle1______________ = _atan2(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13))
+    v48 = angle1______________ - offset2
+    q2_ppp = v45 - (m10 if half_turn < v45 else 0.0)
+    q2_pmp = v46 - (m10 if half_turn < v46 else 0.0)
+    q2_mpp = v47 - (m10 if half_turn < v47 else 0.0)
+    q2_mmp = v48 - (m10 if half_turn < v48 else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v30), T33 * c23_pp + s23_pp * v28)
+    angle1________________ = _atan2(math.sqrt(v31), T33 * c23_pm + s23_pm * v28)
+    angle1_________________ = _atan2(math.sqrt(v32), T33 * c23_mp - s23_mp * v28)
+    angle1__________________ = _atan2(math.sqrt(v33), T33 * c23_mm - s23_mm * v28)
+    v49 = angle1_______________ - offset5
+    v50 = offset5 + angle1_______________
+    v51 = angle1________________ - offset5
+    v52 = offset5 + angle1________________
+    v53 = angle1_________________ - offset5
+    v54 = offset5 + angle1_________________
+    v55 = angle1__________________ - offset5
+    v56 = offset5 + angle1__________________
+    q5_ppp = v49 + (m10 if v49 <= -half_turn else 0.0)
+    q5_ppm = (m10 if -v50 <= -half_turn else 0.0) - v50
+    q5_pmp = v51 + (m10 if v51 <= -half_turn else 0.0)
+    q5_pmm = (m10 if -v52 <= -half_turn else 0.0) - v52
+    q5_mpp = v53 + (m10 if v53 <= -half_turn else 0.0)
+    q5_mpm = (m10 if -v54 <= -half_turn else 0.0) - v54
+    q5_mmp = v55 + (m10 if v55 <= -half_turn else 0.0)
+    q5_mmm = (m10 if -v56 <= -half_turn else 0.0) - v56
+    v57 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
+    v58 = (m10 if -v6 <= -half_turn else 0.0) - v6
+    v59 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
+    v60 = (m10 if -v7 <= -half_turn else 0.0) - v7
+    v61 = angle1 < low1 or high1 < angle1
+    v62 = q1__m < low1 or high1 < q1__m
+    v63 = v57 - (whole_turn if high3 < v57 else 0.0)
+    v64 = v58 - (whole_turn if high3 < v58 else 0.0)
+    v65 = v59 - (whole_turn if high3 < v59 else 0.0)
+    v66 = v60 - (whole_turn if high3 < v60 else 0.0)
+    v67 = v63 < low3 or high3 < v63
+    v68 = v64 < low3 or high3 < v64
+    v69 = v65 < low3 or high3 < v65
+    v70 = v66 < low3 or high3 < v66
+    q3_ppp = v57 if v67 else v63
+    q3_pmp = v58 if v68 else v64
+    q3_mpp = v59 if v69 else v65
+    q3_mmp = v60 if v70 else v66
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
-    v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
-    v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
-    v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt = (
-        v29 <= m3 or v43 <= m4 or (v28 <= m3 or v42 <= m4 or (v27 <= m3 or v41 <= m4 or (v26 <= m3
-        or v40 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    v71 = v67 or (v61 or (q2_ppp < low2 or high2 < q2_ppp))
+    v72 = v68 or (v61 or (q2_pmp < low2 or high2 < q2_pmp))
+    v73 = v69 or (v62 or (q2_mpp < low2 or high2 < q2_mpp))
+    v74 = v70 or (v62 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v33 <= m9 or (v32 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -973,104 +953,79 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            K3_p = N3_p - k3
-            K3_m = N3_m - k3
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = k1 * K3_p
-            v7 = k1 * K3_m
-            v8 = k2 * w3_p
-            v9 = k2 * w3_m
-            s3_pp = k4 * (v8 - v6)
-            v10 = k4 * (v6 + v8)
-            s3_mp = k4 * (v9 - v7)
-            v11 = k4 * (v7 + v9)
-            v12 = k2 * K3_p
-            v13 = k2 * K3_m
-            v14 = k1 * w3_p
-            v15 = k1 * w3_m
-            c3_pp = k4 * (v12 + v14)
-            c3_pm = k4 * (v12 - v14)
-            c3_mp = k4 * (v13 + v15)
-            c3_mm = k4 * (v13 - v15)
-            v18 = d4 * c3_pp + a3 * s3_pp
-            v19 = d4 * c3_pm - a3 * v10
-            v20 = d4 * c3_mp + a3 * s3_mp
-            v21 = d4 * c3_mm - a3 * v11
-            Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
-            Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
-            Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
-            Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
-            S2_pp = v3 * v18 - Z1_3 * Y1_2_pp
-            S2_pm = v3 * v19 - Z1_3 * Y1_2_pm
-            S2_mp = v4 * v20 - Z1_3 * Y1_2_mp
-            S2_mm = v4 * v21 - Z1_3 * Y1_2_mm
-            v22 = Z1_3 * v18 + v3 * Y1_2_pp
-            v23 = Z1_3 * v19 + v3 * Y1_2_pm
-            v24 = Z1_3 * v20 + v4 * Y1_2_mp
-            v25 = Z1_3 * v21 + v4 * Y1_2_mm
-            v26 = S2_pp * S2_pp + v22 * v22
-            v27 = S2_pm * S2_pm + v23 * v23
-            v28 = S2_mp * S2_mp + v24 * v24
-            v29 = S2_mm * S2_mm + v25 * v25
-            factor2_pp = 1.0 / math.sqrt(v26)
-            factor2_pm = 1.0 / math.sqrt(v27)
-            factor2_mp = 1.0 / math.sqrt(v28)
-            factor2_mm = 1.0 / math.sqrt(v29)
-            v30 = v22 * factor2_pp
-            v31 = v23 * factor2_pm
-            v32 = v24 * factor2_mp
-            v33 = v25 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            v34 = c3_pp * v30 + s3_pp * s2_pp
-            v35 = c3_pm * v31 - v10 * s2_pm
-            v36 = c3_mp * v32 + s3_mp * s2_mp
-            v37 = c3_mm * v33 - v11 * s2_mm
-            s23_pp = c3_pp * s2_pp - s3_pp * v30
-            s23_pm = c3_pm * s2_pm + v10 * v31
-            s23_mp = c3_mp * s2_mp - s3_mp * v32
-            s23_mm = c3_mm * s2_mm + v11 * v33
-            v38 = T23 * s1 - T13 * v2
-            X4_pp = T33 * s23_pp + v34 * v38
-            X4_pm = T33 * s23_pm + v35 * v38
-            X4_mp = T33 * s23_mp - v36 * v38
-            X4_mm = T33 * s23_mm - v37 * v38
+            Y1_2_p = m3 * N3_p - m4
+            Y1_2_m = m3 * N3_m - m4
+            v8 = Z1_3 * -Y1_2_p
+            v9 = Z1_3 * -Y1_2_m
+            v10 = v3 * Y1_2_p
+            v11 = v4 * Y1_2_m
+            v12 = m3 * Z1_3
+            v13 = m3 * -Z1_3
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v14 = m5 * Z1_3
+            v15 = v14 - m6 * v3
+            v16 = v14 - m6 * v4
+            v17 = m6 + m7 * factor2_p
+            v18 = m6 + m7 * factor2_m
+            v19 = m5 + m8 * factor2_p
+            v20 = m5 + m8 * factor2_m
+            v21 = Z1_3 * v17 + v3 * v19
+            v22 = Z1_3 * v18 + v4 * v20
+            c23_pp = w3_p * (factor2_p * v15) - v21
+            c23_pm = w3_p * (factor2_p * -v15) - v21
+            c23_mp = w3_m * (factor2_m * v16) - v22
+            c23_mm = w3_m * (factor2_m * -v16) - v22
+            v23 = m6 * Z1_3
+            v24 = v3 * v17 - Z1_3 * v19
+            v25 = v4 * v18 - Z1_3 * v20
+            v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+            s23_pp = v24 - v26
+            s23_pm = v24 + v26
+            v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+            s23_mp = v25 - v27
+            s23_mm = v25 + v27
+            v28 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s23_pp - c23_pp * v28
+            X4_pm = T33 * s23_pm - c23_pm * v28
+            X4_mp = T33 * s23_mp + c23_mp * v28
+            X4_mm = T33 * s23_mm + c23_mm * v28
             Y4 = T13 * s1 + T23 * v2
-            v39 = Y4 * Y4
-            v40 = v39 + X4_pp * X4_pp
-            v41 = v39 + X4_pm * X4_pm
-            v42 = v39 + X4_mp * X4_mp
-            v43 = v39 + X4_mm * X4_mm
-            v44 = h1 * math.copysign(half_turn, Y4)
-            v45 = h1 * math.copysign(half_turn, -Y4)
-            v46 = v2 * T22 + s1 * T12
-            v47 = s1 * T22 - v2 * T12
-            v48 = v2 * T21 + s1 * T11
-            v49 = s1 * T21 - v2 * T11
-            v50 = X4_pp * v48 - Y4 * (s23_pp * T31 + v34 * v49)
-            v51 = X4_pm * v48 - Y4 * (s23_pm * T31 + v35 * v49)
-            v52 = Y4 * (s23_mp * T31 - v36 * v49) - X4_mp * v48
-            v53 = Y4 * (s23_mm * T31 - v37 * v49) - X4_mm * v48
-            doubt = (
-                v29 <= m3 or v43 <= m4 or (v28 <= m3 or v42 <= m4 or (v27 <= m3 or v41 <= m4 or (v26
-                <= m3 or v40 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+            v29 = Y4 * Y4
+            v30 = v29 + X4_pp * X4_pp
+            v31 = v29 + X4_pm * X4_pm
+            v32 = v29 + X4_mp * X4_mp
+            v33 = v29 + X4_mm * X4_mm
+            v34 = h1 * math.copysign(half_turn, Y4)
+            v35 = h1 * math.copysign(half_turn, -Y4)
+            v36 = v2 * T22 + s1 * T12
+            v37 = s1 * T22 - v2 * T12
+            v38 = v2 * T21 + s1 * T11
+            v39 = s1 * T21 - v2 * T11
+            v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38
+            v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
+            v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
+            v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
+            v44 = w3_p * (m3 * v3)
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v33 <= m9 or (v32 <= m9 or
+                (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
-            work[640 + k] = v44
-            work[672 + k] = v45
-            work[704 + k] = v50
-            work[736 + k] = v51
-            work[768 + k] = v52
-            work[800 + k] = v53
-            work[832 + k] = doubt
+            work[640 + k] = v34
+            work[672 + k] = v35
+            work[704 + k] = v40
+            work[736 + k] = v41
+            work[768 + k] = v42
+            work[800 + k] = v43
+            work[832 + k] = doubt1
             work[864 + k] = Y1
             work[896 + k] = w3_p
             work[928 + k] = w3_m
@@ -1078,50 +1033,50 @@ def _in_tiles(T, q, status):
             work[992 + k] = Y4
             work[1024 + k] = -Y4
             work[1056 + k] = -Y4
-            work[1088 + k] = v50
-            work[1120 + k] = v51
-            work[1152 + k] = v52
-            work[1184 + k] = v53
-            work[1216 + k] = S2_pp
-            work[1248 + k] = S2_pm
-            work[1280 + k] = S2_mp
-            work[1312 + k] = S2_mm
-            work[1344 + k] = math.sqrt(v40)
-            work[1376 + k] = math.sqrt(v41)
-            work[1408 + k] = math.sqrt(v42)
-            work[1440 + k] = math.sqrt(v43)
+            work[1088 + k] = v40
+            work[1120 + k] = v41
+            work[1152 + k] = v42
+            work[1184 + k] = v43
+            work[1216 + k] = v8 + v44
+            work[1248 + k] = v8 - v44
+            work[1280 + k] = v9 + w3_m * (m3 * v4)
+            work[1312 + k] = v9 + w3_m * (m3 * -v4)
+            work[1344 + k] = math.sqrt(v30)
+            work[1376 + k] = math.sqrt(v31)
+            work[1408 + k] = math.sqrt(v32)
+            work[1440 + k] = math.sqrt(v33)
             work[1472 + k] = -wx
-            work[1504 + k] = K3_p
-            work[1536 + k] = K3_m
+            work[1504 + k] = N3_p - k3
+            work[1536 + k] = N3_m - k3
             work[1568 + k] = -X4_pp
             work[1600 + k] = -X4_pm
             work[1632 + k] = -X4_mp
             work[1664 + k] = -X4_mm
-            work[1696 + k] = X4_pp * v46 - Y4 * (s23_pp * T32 + v34 * v47)
-            work[1728 + k] = X4_pm * v46 - Y4 * (s23_pm * T32 + v35 * v47)
-            work[1760 + k] = Y4 * (s23_mp * T32 - v36 * v47) - X4_mp * v46
-            work[1792 + k] = Y4 * (s23_mm * T32 - v37 * v47) - X4_mm * v46
-            work[1824 + k] = -v22
-            work[1856 + k] = -v23
-            work[1888 + k] = -v24
-            work[1920 + k] = -v25
-            work[1952 + k] = s23_pp * v38 - T33 * v34
-            work[1984 + k] = s23_pm * v38 - T33 * v35
-            work[2016 + k] = -(s23_mp * v38 + T33 * v36)
-            work[2048 + k] = -(s23_mm * v38 + T33 * v37)
+            work[1696 + k] = Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36
+            work[1728 + k] = Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36
+            work[1760 + k] = Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36
+            work[1792 + k] = Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36
+            work[1824 + k] = -(v10 + w3_p * v12)
+            work[1856 + k] = -(v10 + w3_p * v13)
+            work[1888 + k] = -(v11 + w3_m * v12)
+            work[1920 + k] = -(v11 + w3_m * v13)
+            work[1952 + k] = T33 * c23_pp + s23_pp * v28
+            work[1984 + k] = T33 * c23_pm + s23_pm * v28
+            work[2016 + k] = T33 * c23_mp - s23_mp * v28
+            work[2048 + k] = T33 * c23_mm - s23_mm * v28
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             Y1 = work[544 + k]
             w3_p = work[576 + k]
             w3_m = work[608 + k]
-            v44 = work[640 + k]
-            v45 = work[672 + k]
-            v50 = work[704 + k]
-            v51 = work[736 + k]
-            v52 = work[768 + k]
-            v53 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            v34 = work[640 + k]
+            v35 = work[672 + k]
+            v40 = work[704 + k]
+            v41 = work[736 + k]
+            v42 = work[768 + k]
+            v43 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1143,73 +1098,73 @@ def _in_tiles(T, q, status):
             angle1__________________ = work[1440 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
             q3__pp = angle1_ - turn1
-            v16 = turn1 + angle1_
+            v6 = turn1 + angle1_
             q3__mp = angle1__ - turn1
-            v17 = turn1 + angle1__
-            q4_ppm = angle1___ - v44
-            q4_pmm = angle1____ - v44
-            q4_mpm = angle1_____ - v45
-            q4_mmm = angle1______ - v45
-            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v50)
-            q6_pmm = angle1________ - h1 * math.copysign(half_turn, v51)
-            q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v52)
-            q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v53)
-            v54 = angle1___________ - offset2
-            v55 = angle1____________ - offset2
-            v56 = angle1_____________ - offset2
-            v57 = angle1______________ - offset2
-            q2_ppp = v54 - (m5 if half_turn < v54 else 0.0)
-            q2_pmp = v55 - (m5 if half_turn < v55 else 0.0)
-            q2_mpp = v56 - (m5 if half_turn < v56 else 0.0)
-            q2_mmp = v57 - (m5 if half_turn < v57 else 0.0)
-            v58 = angle1_______________ - offset5
-            v59 = offset5 + angle1_______________
-            v60 = angle1________________ - offset5
-            v61 = offset5 + angle1________________
-            v62 = angle1_________________ - offset5
-            v63 = offset5 + angle1_________________
-            v64 = angle1__________________ - offset5
-            v65 = offset5 + angle1__________________
-            q5_ppp = v58 + (m5 if v58 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v59 <= -half_turn else 0.0) - v59
-            q5_pmp = v60 + (m5 if v60 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v61 <= -half_turn else 0.0) - v61
-            q5_mpp = v62 + (m5 if v62 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v63 <= -half_turn else 0.0) - v63
-            q5_mmp = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v65 <= -half_turn else 0.0) - v65
-            v66 = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
-            v67 = (m5 if -v16 <= -half_turn else 0.0) - v16
-            v68 = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
-            v69 = (m5 if -v17 <= -half_turn else 0.0) - v17
-            v70 = angle1 < low1 or high1 < angle1
-            v71 = q1__m < low1 or high1 < q1__m
-            v72 = v66 - (whole_turn if high3 < v66 else 0.0)
-            v73 = v67 - (whole_turn if high3 < v67 else 0.0)
-            v74 = v68 - (whole_turn if high3 < v68 else 0.0)
-            v75 = v69 - (whole_turn if high3 < v69 else 0.0)
-            v76 = v72 < low3 or high3 < v72
-            v77 = v73 < low3 or high3 < v73
-            v78 = v74 < low3 or high3 < v74
-            v79 = v75 < low3 or high3 < v75
-            q3_ppp = v66 if v76 else v72
-            q3_pmp = v67 if v77 else v73
-            q3_mpp = v68 if v78 else v74
-            q3_mmp = v69 if v79 else v75
+            v7 = turn1 + angle1__
+            q4_ppm = angle1___ - v34
+            q4_pmm = angle1____ - v34
+            q4_mpm = angle1_____ - v35
+            q4_mmm = angle1______ - v35
+            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v40)
+            q6_pmm = angle1________ - h1 * math.copysign(half_turn, v41)
+            q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v42)
+            q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v43)
+            v45 = angle1___________ - offset2
+            v46 = angle1____________ - offset2
+            v47 = angle1_____________ - offset2
+            v48 = angle1______________ - offset2
+            q2_ppp = v45 - (m10 if half_turn < v45 else 0.0)
+            q2_pmp = v46 - (m10 if half_turn < v46 else 0.0)
+            q2_mpp = v47 - (m10 if half_turn < v47 else 0.0)
+            q2_mmp = v48 - (m10 if half_turn < v48 else 0.0)
+            v49 = angle1_______________ - offset5
+            v50 = offset5 + angle1_______________
+            v51 = angle1________________ - offset5
+            v52 = offset5 + angle1________________
+            v53 = angle1_________________ - offset5
+            v54 = offset5 + angle1_________________
+            v55 = angle1__________________ - offset5
+            v56 = offset5 + angle1__________________
+            q5_ppp = v49 + (m10 if v49 <= -half_turn else 0.0)
+            q5_ppm = (m10 if -v50 <= -half_turn else 0.0) - v50
+            q5_pmp = v51 + (m10 if v51 <= -half_turn else 0.0)
+            q5_pmm = (m10 if -v52 <= -half_turn else 0.0) - v52
+            q5_mpp = v53 + (m10 if v53 <= -half_turn else 0.0)
+            q5_mpm = (m10 if -v54 <= -half_turn else 0.0) - v54
+            q5_mmp = v55 + (m10 if v55 <= -half_turn else 0.0)
+            q5_mmm = (m10 if -v56 <= -half_turn else 0.0) - v56
+            v57 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
+            v58 = (m10 if -v6 <= -half_turn else 0.0) - v6
+            v59 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
+            v60 = (m10 if -v7 <= -half_turn else 0.0) - v7
+            v61 = angle1 < low1 or high1 < angle1
+            v62 = q1__m < low1 or high1 < q1__m
+            v63 = v57 - (whole_turn if high3 < v57 else 0.0)
+            v64 = v58 - (whole_turn if high3 < v58 else 0.0)
+            v65 = v59 - (whole_turn if high3 < v59 else 0.0)
+            v66 = v60 - (whole_turn if high3 < v60 else 0.0)
+            v67 = v63 < low3 or high3 < v63
+            v68 = v64 < low3 or high3 < v64
+            v69 = v65 < low3 or high3 < v65
+            v70 = v66 < low3 or high3 < v66
+            q3_ppp = v57 if v67 else v63
+            q3_pmp = v58 if v68 else v64
+            q3_mpp = v59 if v69 else v65
+            q3_mmp = v60 if v70 else v66
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
-            v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
-            v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
-            v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+            v71 = v67 or (v61 or (q2_ppp < low2 or high2 < q2_ppp))
+            v72 = v68 or (v61 or (q2_pmp < low2 or high2 < q2_pmp))
+            v73 = v69 or (v62 or (q2_mpp < low2 or high2 < q2_mpp))
+            v74 = v70 or (v62 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp
@@ -1302,7 +1257,7 @@ def _in_tiles(T, q, status):
             work[3392 + k] = (
                 UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

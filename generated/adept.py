@@ -339,13 +339,12 @@ def _regular(pose, q, status):
     # joint values
     angle1_ = _atan2(T32, T22)
     v10 = angle1_ - angle1
-    free1_ = v1 <= m1 or v7 <= m2
+    doubt1 = v1 <= m1 or v7 <= m2
     q1 = angle1 + v9
     q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
     q3 = r3 + v9
-    doubt = free1_ or free1_
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1
     q[0, 1] = q2
@@ -552,12 +551,11 @@ def _in_tiles(T, q, status):
                 pose_slack1 and (abs(T23) <= pose_slack and (abs(T22 - c12) <= pose_slack and
                 abs(s12 + T21) <= pose_slack))))))))))) else math.sqrt(-1.0)
             )
-            free1_ = v1 <= m1 or v7 <= m2
+            doubt1 = v1 <= m1 or v7 <= m2
             q3 = r3 + v9
-            doubt = free1_ or free1_
             work[544 + k] = v9
-            work[576 + k] = q3
-            work[608 + k] = doubt
+            work[576 + k] = doubt1
+            work[608 + k] = q3
             work[640 + k] = v5
             work[672 + k] = T32
             work[704 + k] = v6
@@ -566,8 +564,8 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             v9 = work[544 + k]
-            q3 = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            doubt1 = work[576 + k] != 0.0
+            q3 = work[608 + k]
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             v10 = angle1_ - angle1
@@ -580,7 +578,7 @@ def _in_tiles(T, q, status):
             _832 = q3
             work[832 + k] = _832
             work[864 + k] = UNREACHABLE if _768 != _768 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

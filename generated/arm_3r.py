@@ -64,7 +64,9 @@ k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.3224999999999998e-24  # free_limit1^2 [m^2]
-m3 = 1.749006249999999e-48  # free_limit_squared2^2 [m^4]
+m3 = 1.2499999999999998  # a coefficient of S2
+m4 = 0.04687500000000003  # a coefficient of S2
+m5 = 1.749006249999999e-48  # free_limit_squared2^2 [m^4]
 h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
@@ -323,38 +325,39 @@ def _regular(pose, q, status):
     N3 = v1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v2 = w3 - w3
-    v3 = k1 * (N3 - k2)
-    v4 = k1 * w3
-    angle1_ = _atan2(-v3, v4)
-    q3_pm = math.copysign(half_turn, -v3) * h1 - angle1_
+    angle1_ = _atan2(-(k1 * (N3 - k2)), k1 * w3)
+    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v5 = d4 * (k3 * v4)
-    Y1_2 = a2 + d4 * (k3 * v3)
-    v6 = Z1_3 * Y1_2
-    v7 = w1 * v5
-    S2_pp = v7 - v6
-    v8 = v6 + v7
-    v9 = w1 * Y1_2
-    v10 = Z1_3 * v5
-    v11 = v9 + v10
-    v12 = v9 - v10
-    v13 = v8 * v8
-    angle1__ = _atan2(S2_pp, -v11)
-    angle1___ = _atan2(-v8, -v12)
-    angle1____ = _atan2(-v8, v12)
-    angle1_____ = _atan2(S2_pp, v11)
+    v3 = m4 + m3 * N3
+    v4 = Z1_3 * v3
+    v5 = w3 * (m3 * w1)
+    S2_pp = v5 - v4
+    v6 = v4 + v5
+    v7 = w3 * (m3 * Z1_3)
+    v8 = w3 * (m3 * -Z1_3)
+    v9 = w1 * v3
+    v10 = v7 + v9
+    v11 = v8 + v9
+    v12 = v7 - v9
+    v13 = v8 - v9
+    v14 = S2_pp * S2_pp
+    v15 = v6 * v6
+    angle1__ = _atan2(S2_pp, -v10)
+    angle1___ = _atan2(-v6, -v11)
+    angle1____ = _atan2(-v6, -v12)
+    angle1_____ = _atan2(S2_pp, -v13)
 
     # joint values
     q1_pp = angle1 + v2
     q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
-    doubt = (
-        v13 + -v12 * -v12 <= m3 or (v13 + v12 * v12 <= m3 or (S2_pp * S2_pp + v11 * v11 <= m3 or (v1
-        <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-        < longest3_apart))))
+    doubt1 = (
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5 or (v14 +
+        v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = angle1__
@@ -538,53 +541,54 @@ def _in_tiles(T, q, status):
             N3 = v1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v2 = w3 - w3
-            v3 = k1 * (N3 - k2)
-            v4 = k1 * w3
-            v5 = d4 * (k3 * v4)
-            Y1_2 = a2 + d4 * (k3 * v3)
-            v6 = Z1_3 * Y1_2
-            v7 = w1 * v5
-            S2_pp = v7 - v6
-            v8 = v6 + v7
-            v9 = w1 * Y1_2
-            v10 = Z1_3 * v5
-            v11 = v9 + v10
-            v12 = v9 - v10
-            v13 = v8 * v8
-            doubt = (
-                v13 + -v12 * -v12 <= m3 or (v13 + v12 * v12 <= m3 or (S2_pp * S2_pp + v11 * v11 <=
-                m3 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart))))
+            v3 = m4 + m3 * N3
+            v4 = Z1_3 * v3
+            v5 = w3 * (m3 * w1)
+            S2_pp = v5 - v4
+            v6 = v4 + v5
+            v7 = w3 * (m3 * Z1_3)
+            v8 = w3 * (m3 * -Z1_3)
+            v9 = w1 * v3
+            v10 = v7 + v9
+            v11 = v8 + v9
+            v12 = v7 - v9
+            v13 = v8 - v9
+            v14 = S2_pp * S2_pp
+            v15 = v6 * v6
+            doubt1 = (
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5
+                or (v14 + v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
             )
-            work[544 + k] = v2
-            work[576 + k] = v3
-            work[608 + k] = doubt
+            work[544 + k] = N3
+            work[576 + k] = v2
+            work[608 + k] = doubt1
             work[640 + k] = -T24
-            work[672 + k] = -v3
+            work[672 + k] = -(k1 * (N3 - k2))
             work[704 + k] = S2_pp
-            work[736 + k] = -v8
-            work[768 + k] = -v8
+            work[736 + k] = -v6
+            work[768 + k] = -v6
             work[800 + k] = S2_pp
             work[832 + k] = -T14
-            work[864 + k] = v4
-            work[896 + k] = -v11
-            work[928 + k] = -v12
-            work[960 + k] = v12
-            work[992 + k] = v11
+            work[864 + k] = k1 * w3
+            work[896 + k] = -v10
+            work[928 + k] = -v11
+            work[960 + k] = -v12
+            work[992 + k] = -v13
         for k in range(640, 832):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v2 = work[544 + k]
-            v3 = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            N3 = work[544 + k]
+            v2 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             angle1__ = work[704 + k]
             angle1___ = work[736 + k]
             angle1____ = work[768 + k]
             angle1_____ = work[800 + k]
-            q3_pm = math.copysign(half_turn, -v3) * h1 - angle1_
+            q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
             _1024 = q1_pp
@@ -607,7 +611,7 @@ def _in_tiles(T, q, status):
             work[1312 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1344 + k] = UNREACHABLE if _1184 != _1184 else OK
             work[1376 + k] = UNREACHABLE if _1184 != _1184 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

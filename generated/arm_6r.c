@@ -8,6 +8,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef ARM_6R_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DARM_6R_SCALAR. With -DARM_6R_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(ARM_6R_SCALAR) && !defined(ARM_6R_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef ARM_6R_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & ARM_6R_UNREACHABLE) \
+        | (~(none) & (outside) & ARM_6R_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)ARM_6R_UNREACHABLE \
+        : (outside) ? (int)ARM_6R_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.4; /* joint offset 1 [m] */
 static const double a2 = 0.4; /* link length 2 [m] */
 static const double d4 = 0.35; /* joint offset 4 [m] */
@@ -31,9 +327,19 @@ static const double k2 = 0.28250000000000003; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 12.755102040816327; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.5624999999999999e-24; /* free_limit1^2 [m^2] */
-static const double m3 = 2.4414062499999996e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
+static const double m3 = 1.2499999999999998; /* a coefficient of S2 */
+static const double m4 = 0.04687500000000003; /* a coefficient of S2 */
+static const double m5 = 2.4414062499999996e-48; /* free_limit_squared2^2 [m^4] */
+static const double m6 = 0.16741071428571438; /* a coefficient of c23 */
+static const double m7 = 4.4642857142857135; /* a coefficient of c23 */
+static const double m8 = 1.2611607142857142; /* a coefficient of c23 */
+static const double m9 = 0.05357142857142861; /* a coefficient of c23 */
+static const double m10 = 1.4285714285714284; /* a coefficient of c23 */
+static const double m11 = 1.0937499999999998; /* a coefficient of s23 */
+static const double m12 = 2.522321428571428; /* a coefficient of s23 */
+static const double m15 = 1e-24; /* free_limit^2 */
 static const double h1 = 1.0; /* m2 * 2 */
+static const double h2 = 0.05357142857142861; /* m13 + m14 */
 
 const char *const arm_6r_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -208,209 +514,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef ARM_6R_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DARM_6R_SCALAR. With -DARM_6R_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(ARM_6R_SCALAR) && !defined(ARM_6R_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef ARM_6R_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ARM_6R_UNREACHABLE) \
-        | (~(none) & (outside) & ARM_6R_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)ARM_6R_UNREACHABLE \
-        : (outside) ? (int)ARM_6R_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -434,105 +537,115 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v3 = w3 - w3;
-    const wide v4 = k1 * (N3 - k2);
-    const wide v5 = k3 * v4;
-    const wide v6 = k1 * w3;
-    const wide c3 = k3 * v6;
-    const wide angle1_ = atan2_wide(-v4, v6);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle1_;
+    const wide angle1_ = atan2_wide(-(k1 * (N3 - k2)), k1 * w3);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle1_;
 
     /* theta2 */
-    const wide v7 = d4 * c3;
-    const wide Y1_2 = a2 + d4 * v5;
-    const wide v8 = Z1_3 * Y1_2;
-    const wide v9 = w1 * v7;
-    const wide S2_pp = v9 - v8;
-    const wide v10 = v8 + v9;
-    const wide v11 = w1 * Y1_2;
-    const wide v12 = Z1_3 * v7;
-    const wide v13 = v11 + v12;
-    const wide v14 = v11 - v12;
-    const wide v15 = S2_pp * S2_pp + v13 * v13;
-    const wide v16 = v10 * v10;
-    const wide v17 = v16 + v14 * v14;
-    const wide v18 = v16 + -v14 * -v14;
-    const wide factor2_pp = 1.0 / sqrt_wide(v15);
-    const wide factor2_pm = 1.0 / sqrt_wide(v17);
-    const wide factor2_mp = 1.0 / sqrt_wide(v18);
-    const wide v19 = v13 * factor2_pp;
-    const wide v20 = v14 * factor2_pm;
-    const wide v21 = -v14 * factor2_mp;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide v22 = v10 * factor2_pm;
-    const wide v23 = v10 * factor2_mp;
-    const wide angle1__ = atan2_wide(S2_pp, -v13);
-    const wide angle1___ = atan2_wide(-v10, -v14);
-    const wide angle1____ = atan2_wide(-v10, v14);
-    const wide angle1_____ = atan2_wide(S2_pp, v13);
+    const wide v4 = m4 + m3 * N3;
+    const wide v5 = Z1_3 * v4;
+    const wide v6 = w3 * (m3 * w1);
+    const wide S2_pp = v6 - v5;
+    const wide v7 = v5 + v6;
+    const wide v8 = w3 * (m3 * Z1_3);
+    const wide v9 = w3 * (m3 * -Z1_3);
+    const wide v10 = w1 * v4;
+    const wide v11 = v8 + v10;
+    const wide v12 = v9 + v10;
+    const wide v13 = v8 - v10;
+    const wide v14 = v9 - v10;
+    const wide v15 = S2_pp * S2_pp;
+    const wide v16 = v15 + v11 * v11;
+    const wide v17 = v7 * v7;
+    const wide v18 = v17 + v12 * v12;
+    const wide v19 = v17 + v13 * v13;
+    const wide v20 = v15 + v14 * v14;
+    const wide factor2_pp = 1.0 / sqrt_wide(v16);
+    const wide factor2_pm = 1.0 / sqrt_wide(v18);
+    const wide factor2_mp = 1.0 / sqrt_wide(v19);
+    const wide factor2_mm = 1.0 / sqrt_wide(v20);
+    const wide angle1__ = atan2_wide(S2_pp, -v11);
+    const wide angle1___ = atan2_wide(-v7, -v12);
+    const wide angle1____ = atan2_wide(-v7, -v13);
+    const wide angle1_____ = atan2_wide(S2_pp, -v14);
 
     /* theta4 */
-    const wide c23_pp = v5 * s2_pp - c3 * v19;
-    const wide c23_pm = c3 * v20 - v5 * v22;
-    const wide v24 = v5 * v23 + c3 * v21;
-    const wide s23_pp = v5 * v19 + c3 * s2_pp;
-    const wide s23_pm = v5 * v20 + c3 * v22;
-    const wide s23_mp = v5 * v21 - c3 * v23;
-    const wide v25 = T23 * s1 - T13 * v2;
-    const wide X4_pp = T33 * s23_pp - c23_pp * v25;
-    const wide X4_pm = T33 * s23_pm - c23_pm * v25;
-    const wide X4_mp = T33 * s23_mp - v24 * v25;
+    const wide v21 = m7 * N3;
+    const wide v22 = m6 + v21;
+    const wide v23 = v21 - m8;
+    const wide v24 = Z1_3 * (m9 - m10 * N3);
+    const wide v25 = v24 + w3 * (w1 * (v23 - v22));
+    const wide c23_pp = factor2_pp * v25;
+    const wide v26 = v24 + w3 * (w1 * (v22 + -v23));
+    const wide c23_pm = factor2_pm * v26;
+    const wide c23_mp = factor2_mp * v26;
+    const wide c23_mm = factor2_mm * v25;
+    const wide v27 = v21 - m11;
+    const wide v28 = m12 - v21;
+    const wide v29 = m10 * (Z1_3 * w3);
+    const wide v30 = m10 * (w3 * -Z1_3);
+    const wide v31 = w1 * (N3 * (v27 + v28) - h2);
+    const wide s23_pp = factor2_pp * (v31 - v29);
+    const wide s23_pm = factor2_pm * (v31 - v30);
+    const wide v32 = w1 * (h2 + N3 * (-v27 + -v28));
+    const wide s23_mp = factor2_mp * (v32 - v29);
+    const wide s23_mm = factor2_mm * (v32 - v30);
+    const wide v33 = T23 * s1 - T13 * v2;
+    const wide X4_pp = T33 * s23_pp - c23_pp * v33;
+    const wide X4_pm = T33 * s23_pm - c23_pm * v33;
+    const wide X4_mp = T33 * s23_mp + c23_mp * v33;
+    const wide X4_mm = T33 * s23_mm + c23_mm * v33;
     const wide Y4 = T13 * s1 + T23 * v2;
-    const wide v26 = Y4 * Y4;
-    const wide v27 = v26 + X4_pp * X4_pp;
-    const wide v28 = v26 + X4_pm * X4_pm;
-    const wide v29 = v26 + X4_mp * X4_mp;
-    const wide v30 = v26 + -X4_pp * -X4_pp;
+    const wide v34 = Y4 * Y4;
+    const wide v35 = v34 + X4_pp * X4_pp;
+    const wide v36 = v34 + X4_pm * X4_pm;
+    const wide v37 = v34 + X4_mp * X4_mp;
+    const wide v38 = v34 + X4_mm * X4_mm;
     const wide angle1______ = atan2_wide(Y4, -X4_pp);
     const wide angle1_______ = atan2_wide(Y4, -X4_pm);
     const wide angle1________ = atan2_wide(-Y4, -X4_mp);
-    const wide angle1_________ = atan2_wide(-Y4, X4_pp);
-    const wide v31 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v32 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1______ - v31;
-    const wide q4_pmm = angle1_______ - v31;
-    const wide q4_mpm = angle1________ - v32;
-    const wide q4_mmm = angle1_________ - v32;
+    const wide angle1_________ = atan2_wide(-Y4, -X4_mm);
+    const wide v39 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v40 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1______ - v39;
+    const wide q4_pmm = angle1_______ - v39;
+    const wide q4_mpm = angle1________ - v40;
+    const wide q4_mmm = angle1_________ - v40;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v27), -(T33 * c23_pp + s23_pp * v25));
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v28), -(T33 * c23_pm + s23_pm * v25));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v29), T33 * v24 + s23_mp * v25);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v30), -(T33 * c23_pp + s23_pp * v25));
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v35), -(T33 * c23_pp + s23_pp * v33));
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v36), -(T33 * c23_pm + s23_pm * v33));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v37), s23_mp * v33 - T33 * c23_mp);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v38), s23_mm * v33 - T33 * c23_mm);
 
     /* theta6 */
-    const wide v33 = v2 * T22 + s1 * T12;
-    const wide v34 = s1 * T22 - v2 * T12;
-    const wide v35 = v2 * T21 + s1 * T11;
-    const wide v36 = s1 * T21 - v2 * T11;
-    const wide v37 = c23_pp * v36 - s23_pp * T31;
-    const wide v38 = -X4_pp * v35 - Y4 * v37;
-    const wide v39 = -X4_pm * v35 - Y4 * (c23_pm * v36 - s23_pm * T31);
-    const wide v40 = Y4 * (v24 * v36 - s23_mp * T31) - -X4_mp * v35;
-    const wide v41 = Y4 * -v37 - X4_pp * v35;
-    const wide v42 = c23_pp * v34 - s23_pp * T32;
-    const wide angle1______________ = atan2_wide(v38, -X4_pp * v33 - Y4 * v42);
-    const wide angle1_______________ = atan2_wide(v39, -X4_pm * v33 - Y4 * (c23_pm * v34 - s23_pm *
+    const wide v41 = v2 * T22 + s1 * T12;
+    const wide v42 = s1 * T22 - v2 * T12;
+    const wide v43 = v2 * T21 + s1 * T11;
+    const wide v44 = s1 * T21 - v2 * T11;
+    const wide v45 = -X4_pp * v43 - Y4 * (c23_pp * v44 - s23_pp * T31);
+    const wide v46 = -X4_pm * v43 - Y4 * (c23_pm * v44 - s23_pm * T31);
+    const wide v47 = X4_mp * v43 - Y4 * (c23_mp * v44 + s23_mp * T31);
+    const wide v48 = X4_mm * v43 - Y4 * (c23_mm * v44 + s23_mm * T31);
+    const wide angle1______________ = atan2_wide(v45, -X4_pp * v41 - Y4 * (c23_pp * v42 - s23_pp *
         T32));
-    const wide angle1________________ = atan2_wide(v40, Y4 * (v24 * v34 - s23_mp * T32) - -X4_mp *
-        v33);
-    const wide angle1_________________ = atan2_wide(v41, Y4 * -v42 - X4_pp * v33);
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v38);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v39);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide angle1_______________ = atan2_wide(v46, -X4_pm * v41 - Y4 * (c23_pm * v42 - s23_pm *
+        T32));
+    const wide angle1________________ = atan2_wide(v47, X4_mp * v41 - Y4 * (c23_mp * v42 + s23_mp *
+        T32));
+    const wide angle1_________________ = atan2_wide(v48, X4_mm * v41 - Y4 * (c23_mm * v42 + s23_mm *
+        T32));
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v48);
 
     /* joint values */
     const wide q1_ppp = angle1 + v3;
     const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
-    const wide_mask v43 = v15 <= m3;
-    const wide_mask doubt = (v43 | (v30 <= m4)) | (((v18 <= m3) | (v29 <= m4)) | (((v17 <= m3) |
-        (v28 <= m4)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v43 | (v27 <= m4)))));
+    const wide_mask doubt1 = (v38 <= m15) | ((v20 <= m5) | ((v37 <= m15) | ((v19 <= m5) | ((v36 <=
+        m15) | ((v18 <= m5) | ((v35 <= m15) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v16 <=
+        m5))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1__;
@@ -591,74 +704,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
+static const double m13 = 0.047293526785714315; /* a coefficient of s23 */
+static const double m14 = 0.0062779017857142955; /* a coefficient of s23 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -684,118 +736,80 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v4 = w3 - w3;
-    const double v5 = k1 * (N3 - k2);
-    const double v6 = k3 * v5;
-    const double v7 = k1 * w3;
-    const double c3 = k3 * v7;
-    const double v8 = copysign(half_turn, -v5);
+    const double v5 = copysign(half_turn, -(k1 * (N3 - k2)));
 
     /* theta2 */
-    const double v9 = d4 * c3;
-    const double Y1_2 = a2 + d4 * v6;
-    const double v10 = Z1_3 * Y1_2;
-    const double v11 = w1 * v9;
-    const four S2 = v11 * (e1 * e2) - v10;
-    const double v12 = w1 * Y1_2;
-    const double v13 = Z1_3 * v9;
-    const four v14 = e2 * v13;
-    const four v15 = e1 * v12;
-    const four v16 = v14 + v15;
-    const four v17 = S2 * S2 + v16 * v16;
-    const four factor2 = 1.0 / sqrt_four(v17);
-    const four v18 = v16 * factor2;
-    const four s2 = S2 * factor2;
+    const four v6 = e1 * e2;
+    const double v7 = m4 + m3 * N3;
+    const double v8 = Z1_3 * v7;
+    const four S2 = w3 * (m3 * (w1 * v6)) - v8;
+    const four v9 = e2 * Z1_3;
+    const four v10 = w3 * (m3 * v9);
+    const four v11 = w1 * (e1 * v7);
+    const four v12 = v10 + v11;
+    const four v13 = S2 * S2 + v12 * v12;
+    const four factor2 = 1.0 / sqrt_four(v13);
 
     /* theta4 */
-    const four c23 = v6 * s2 - e2 * (c3 * v18);
-    const four s23 = v6 * v18 + e2 * (c3 * s2);
-    const double v19 = T23 * s1 - T13 * v2;
-    const four X4 = T33 * s23 - e1 * (c23 * v19);
+    const double v14 = m7 * N3;
+    const double v15 = m6 + v14;
+    const four v16 = e1 * v15;
+    const double v17 = v14 - m8;
+    const double v18 = Z1_3 * (m9 - m10 * N3);
+    const four c23 = factor2 * (v18 + w3 * (w1 * (v6 * v17 - e2 * v16)));
+    const double v19 = v14 - m11;
+    const four v20 = e1 * v19;
+    const double v21 = m12 - v14;
+    const four v22 = e2 * v21;
+    const four v23 = m13 * e1;
+    const four v24 = m14 * e2;
+    const four v25 = m10 * (w3 * v9);
+    const four s23 = factor2 * (w1 * (N3 * (v20 + v6 * v22) - (v23 + v6 * v24)) - v25);
+    const double v26 = T23 * s1 - T13 * v2;
+    const four X4 = T33 * s23 - e1 * (c23 * v26);
     const double Y4 = T13 * s1 + T23 * v2;
-    const double v20 = Y4 * Y4;
-    const four v21 = v20 + X4 * X4;
-    const four v22 = e1 * Y4;
-    const four v23 = copysign_four(all_four(half_turn), v22) * h1;
+    const double v27 = Y4 * Y4;
+    const four v28 = v27 + X4 * X4;
+    const four v29 = e1 * Y4;
+    const four v30 = copysign_four(all_four(half_turn), v29) * h1;
 
     /* theta6 */
-    const double v24 = v2 * T22 + s1 * T12;
-    const double v25 = s1 * T22 - v2 * T12;
-    const double v26 = v2 * T21 + s1 * T11;
-    const double v27 = s1 * T21 - v2 * T11;
-    const four v28 = e1 * (-X4 * v26 - Y4 * (e1 * (c23 * v27) - s23 * T31));
+    const double v31 = v2 * T22 + s1 * T12;
+    const double v32 = s1 * T22 - v2 * T12;
+    const double v33 = v2 * T21 + s1 * T11;
+    const double v34 = s1 * T21 - v2 * T11;
+    const four v35 = e1 * (-X4 * v33 - Y4 * (e1 * (c23 * v34) - s23 * T31));
 
     /* joint values */
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m3) | (v21 <= m4));
+    const four_mask doubt2 = (v13 <= m5) | (v28 <= m15);
 
-    const four angle1__ = atan2_four(S2, -v16);
-    const four angle1___ = atan2_four(v22, -X4);
-    const four angle1____ = atan2_four(-sqrt_four(v21), -(T33 * c23 + e1 * (s23 * v19)));
-    const four angle1_____ = atan2_four(v28, e1 * (-X4 * v24 - Y4 * (e1 * (c23 * v25) - s23 *
+    const four angle1__ = atan2_four(S2, -v12);
+    const four angle1___ = atan2_four(v29, -X4);
+    const four angle1____ = atan2_four(-sqrt_four(v28), -(T33 * c23 + e1 * (s23 * v26)));
+    const four angle1_____ = atan2_four(v35, e1 * (-X4 * v31 - Y4 * (e1 * (c23 * v32) - s23 *
         T32)));
-    const four packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx });
+    const four packed5 = atan2_four((four){ Y1, -(k1 * (N3 - k2)), Y1, Y1 }, (four){ -wx, k1 * w3,
+        -wx, -wx });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle1_ + v8 * (m2 * (1.0 - e2));
-    const four q4_m = angle1___ - v23;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v28);
+    const four q3_p = e2 * angle1_ + v5 * (m2 * (1.0 - e2));
+    const four q4_m = angle1___ - v30;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v35);
     const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * ARM_6R_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

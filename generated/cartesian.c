@@ -8,52 +8,6 @@
 
 #include <math.h>
 
-static const double low1 = -1e-09; /* lowest value of joint 1 */
-static const double high1 = 0.800000001; /* highest value of joint 1 */
-static const double low2 = -1e-09; /* lowest value of joint 2 */
-static const double high2 = 0.600000001; /* highest value of joint 2 */
-static const double low3 = -1e-09; /* lowest value of joint 3 */
-static const double high3 = 1.200000001; /* highest value of joint 3 */
-
-const char *const cartesian_branches[1] = {
-    "only",
-};
-
-static const double lowest[3] = { 0.0, 0.0, 0.0 };
-static const double highest[3] = { 0.8, 0.6, 1.2 };
-/* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[3] = { 1.0, 1.0, 1.0 };
-
-void cartesian_fk(const double q[3], double T[16])
-{
-    T[0] = 0.0; T[1] = 0.0; T[2] = 1.0; T[3] = q[2];
-    T[4] = 0.0; T[5] = -1.0; T[6] = 0.0; T[7] = q[1];
-    T[8] = 1.0; T[9] = 0.0; T[10] = 0.0; T[11] = q[0];
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
-}
-
-void cartesian_jacobian(const double q[3], double J[18])
-{
-    (void)q;
-    J[0] = 0.0; J[1] = 0.0; J[2] = 1.0;
-    J[3] = 0.0; J[4] = 1.0; J[5] = 0.0;
-    J[6] = 1.0; J[7] = 0.0; J[8] = 0.0;
-    J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
-    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0;
-    J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
-        return 0;
-    return 1;
-}
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
@@ -77,12 +31,24 @@ static const double odd[11] = {
 #include <immintrin.h>
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
 #endif
-#define sqrt_of_four _mm256_sqrt_pd
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
@@ -95,24 +61,15 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
 HELPER four copysign_four(four x, four y)
 {
-    return pick_four((four_mask)all_four(-0.0), y, x);
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
 }
 
 HELPER four abs_four(four x)
 {
     return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
@@ -121,9 +78,8 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
@@ -136,7 +92,7 @@ HELPER four atan2_four(four y, four x)
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
+    return copysign_four((known + r) + r * u * p, y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -149,24 +105,15 @@ HELPER wide all_wide(double x)
     return x - (wide){ 0 };
 }
 
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
 HELPER wide copysign_wide(wide x, wide y)
 {
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
 }
 
 HELPER wide abs_wide(wide x)
 {
     return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
@@ -175,9 +122,8 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
@@ -190,17 +136,20 @@ HELPER wide atan2_wide(wide y, wide x)
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #else
 #define LANES 1
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
 #ifdef CARTESIAN_LIBM
 #define atan2_wide atan2
 #else
@@ -210,9 +159,8 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
@@ -225,7 +173,7 @@ HELPER wide atan2_wide(wide y, wide x)
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #endif
 #endif
@@ -234,37 +182,6 @@ HELPER wide atan2_wide(wide y, wide x)
 HELPER wide irregularity_wide(const wide T[16])
 {
     return 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & CARTESIAN_UNREACHABLE) \
-        | (~(none) & (outside) & CARTESIAN_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)CARTESIAN_UNREACHABLE \
-        : (outside) ? (int)CARTESIAN_OUT_OF_LIMITS : 0)
-#endif
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
-{
-    const wide T14 = T[3];
-    const wide T24 = T[7];
-    const wide T34 = T[11];
-
-    /* joint values */
-    const wide_mask outside = ((T14 < low3) | (high3 < T14)) | (((T34 < low1) | (high1 < T34)) |
-        ((T24 < low2) | (high2 < T24)));
-
-    q[0] = T34;
-    q[1] = T24;
-    q[2] = T14;
-    kind[0] = kind_of(q[0] != q[0], outside);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0);
 }
 
 #if LANES > 1
@@ -315,34 +232,9 @@ HELPER unsigned bits_wide(wide_mask m)
 }
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
+HELPER four irregularity_four(const double T[16])
 {
-    return 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
-{
-    const double T14 = T[3];
-    const double T24 = T[7];
-    const double T34 = T[11];
-
-    /* joint values */
-    const int outside = ((T14 < low3) | (high3 < T14)) | (((T34 < low1) | (high1 < T34)) | ((T24 <
-        low2) | (high2 < T24)));
-
-
-    if (!(irregularity_double(T) <= 1e-24))
-        return -1;
-    int count = 0;
-    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], all_four(T34), all_four(T24));
-    store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(T14));
-    const four_mask kind1 = kind_of(all_four(T34) != all_four(T34), (all_four(outside ? 1.0 : 0.0) >
-        0.0));
-    count += __builtin_popcount(bits_four(kind1 == 0) & 1u);
-    status[0] = (unsigned char)kind1[0];
-    return count;
+    return all_four(0.0 * (T[3] + T[7] + T[11]));
 }
 
 /* Rows to columns. */
@@ -375,6 +267,110 @@ HELPER void transpose(wide x[LANES])
     x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
     x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
 #endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & CARTESIAN_UNREACHABLE) \
+        | (~(none) & (outside) & CARTESIAN_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)CARTESIAN_UNREACHABLE \
+        : (outside) ? (int)CARTESIAN_OUT_OF_LIMITS : 0)
+#endif
+static const double low1 = -1e-09; /* lowest value of joint 1 */
+static const double high1 = 0.800000001; /* highest value of joint 1 */
+static const double low2 = -1e-09; /* lowest value of joint 2 */
+static const double high2 = 0.600000001; /* highest value of joint 2 */
+static const double low3 = -1e-09; /* lowest value of joint 3 */
+static const double high3 = 1.200000001; /* highest value of joint 3 */
+
+const char *const cartesian_branches[1] = {
+    "only",
+};
+
+static const double lowest[3] = { 0.0, 0.0, 0.0 };
+static const double highest[3] = { 0.8, 0.6, 1.2 };
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[3] = { 1.0, 1.0, 1.0 };
+
+void cartesian_fk(const double q[3], double T[16])
+{
+    T[0] = 0.0; T[1] = 0.0; T[2] = 1.0; T[3] = q[2];
+    T[4] = 0.0; T[5] = -1.0; T[6] = 0.0; T[7] = q[1];
+    T[8] = 1.0; T[9] = 0.0; T[10] = 0.0; T[11] = q[0];
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void cartesian_jacobian(const double q[3], double J[18])
+{
+    (void)q;
+    J[0] = 0.0; J[1] = 0.0; J[2] = 1.0;
+    J[3] = 0.0; J[4] = 1.0; J[5] = 0.0;
+    J[6] = 1.0; J[7] = 0.0; J[8] = 0.0;
+    J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0;
+    J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    return 1;
+}
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
+{
+    const wide T14 = T[3];
+    const wide T24 = T[7];
+    const wide T34 = T[11];
+
+    /* joint values */
+    const wide_mask outside = ((T14 < low3) | (high3 < T14)) | (((T34 < low1) | (high1 < T34)) |
+        ((T24 < low2) | (high2 < T24)));
+
+    q[0] = T34;
+    q[1] = T24;
+    q[2] = T14;
+    kind[0] = kind_of(q[0] != q[0], outside);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0);
+}
+
+#if LANES > 1
+/* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
+{
+    const double T14 = T[3];
+    const double T24 = T[7];
+    const double T34 = T[11];
+
+    /* joint values */
+    const int outside = ((T14 < low3) | (high3 < T14)) | (((T34 < low1) | (high1 < T34)) | ((T24 <
+        low2) | (high2 < T24)));
+
+
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)))
+        return -1;
+    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], all_four(T34), all_four(T24));
+    store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(T14));
+    const unsigned long long none1 = (bits_four(all_four(T34) != all_four(T34)) * 0x1ull & 0x1ull);
+    const unsigned long long outside1 = (bits_four(where_four(outside)) * 0x1ull & 0x1ull);
+    const unsigned long long kind1 = none1 * CARTESIAN_UNREACHABLE + (outside1 & ~none1) *
+        CARTESIAN_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 1);
+    return 1 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef COMAU_NS16_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DCOMAU_NS16_SCALAR. With -DCOMAU_NS16_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(COMAU_NS16_SCALAR) && !defined(COMAU_NS16_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef COMAU_NS16_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & COMAU_NS16_UNREACHABLE) \
+        | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)COMAU_NS16_UNREACHABLE \
+        : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.6; /* joint offset 1 [m] */
 static const double a1 = 0.3; /* link length 1 [m] */
 static const double d2 = 0.101; /* joint offset 2 [m] */
@@ -52,10 +354,15 @@ static const double low3 = -2.967000001; /* lowest value of joint 3 */
 static const double high3 = 1.919800001; /* highest value of joint 3 */
 static const double low5 = -3.141590001; /* lowest value of joint 5 */
 static const double high5 = 3.141590001; /* highest value of joint 5 */
-static const double m1 = 5.685938154625594e-47; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m4 */
+static const double m1 = 0.7142857142857144; /* a coefficient of X1_2 */
+static const double m2 = 0.047427857142857084; /* a coefficient of X1_2 */
+static const double m3 = 0.21836586788038748; /* a coefficient of c2m3 */
+static const double m4 = 0.7365421705803339; /* a coefficient of c2m3 */
+static const double m5 = 0.04890566358436353; /* a coefficient of c2m3 */
+static const double m6 = 0.01449927526138983; /* a coefficient of c2m3 */
+static const double m7 = 1e-24; /* free_limit^2 */
+static const double m8 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m9 */
 
 const char *const comau_ns16_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -64,12 +371,6 @@ const char *const comau_ns16_branches[8] = {
 
 static const double lowest[6] = { -3.14159, -0.87266, -2.967, -6.2831853, -3.14159, -6.2831853 };
 static const double highest[6] = { 3.14159, 1.658, 1.9198, 6.2831853, 3.14159, 6.2831853 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void comau_ns16_fk(const double q[6], double T[16])
 {
@@ -252,209 +553,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef COMAU_NS16_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DCOMAU_NS16_SCALAR. With -DCOMAU_NS16_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(COMAU_NS16_SCALAR) && !defined(COMAU_NS16_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef COMAU_NS16_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & COMAU_NS16_UNREACHABLE) \
-        | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)COMAU_NS16_UNREACHABLE \
-        : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -471,144 +569,114 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = k1 * X1;
-    const wide v2 = k1 * wy;
-    const wide v3 = X1 * w1;
-    const wide v4 = v2 - v3;
-    const wide v5 = v2 + v3;
-    const wide c1_p = inverse1 * v4;
-    const wide c1_m = inverse1 * v5;
-    const wide v6 = wy * w1;
-    const wide v7 = v1 + v6;
-    const wide v8 = v1 - v6;
-    const wide s1_p = inverse1 * v7;
-    const wide s1_m = inverse1 * v8;
-    const wide angle1 = atan2_wide(v7, v4);
-    const wide angle1_ = atan2_wide(v8, v5);
+    const wide v1 = inverse1 * (k1 * wy);
+    const wide c1_p = v1 - w1 * (X1 * inverse1);
+    const wide c1_m = v1 - w1 * (inverse1 * -X1);
+    const wide v2 = inverse1 * (k1 * X1);
+    const wide s1_p = v2 + w1 * (wy * inverse1);
+    const wide s1_m = v2 + w1 * (inverse1 * -wy);
+    const wide angle1 = atan2_wide(s1_p, c1_p);
+    const wide angle1_ = atan2_wide(s1_m, c1_m);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide Z2_3_p = w1 - a1;
-    const wide v9 = a1 + w1;
-    const wide v10 = Z1_3 * Z1_3;
-    const wide N3_p = v10 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v10 + v9 * v9;
-    const wide K3_p = N3_p - k6;
-    const wide K3_m = N3_m - k6;
+    const wide v3 = a1 + w1;
+    const wide v4 = Z1_3 * Z1_3;
+    const wide N3_p = v4 + Z2_3_p * Z2_3_p;
+    const wide N3_m = v4 + v3 * v3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v11 = k4 * K3_p;
-    const wide v12 = k4 * K3_m;
-    const wide v13 = k5 * w3_p;
-    const wide v14 = k5 * w3_m;
-    const wide s3_pp = k7 * (v11 + v13);
-    const wide s3_pm = k7 * (v11 - v13);
-    const wide s3_mp = k7 * (v12 + v14);
-    const wide s3_mm = k7 * (v12 - v14);
-    const wide v15 = k5 * K3_p;
-    const wide v16 = k5 * K3_m;
-    const wide v17 = k4 * w3_p;
-    const wide v18 = k4 * w3_m;
-    const wide c3_pp = k7 * (v15 - v17);
-    const wide c3_pm = k7 * (v15 + v17);
-    const wide c3_mp = k7 * (v16 - v18);
-    const wide c3_mm = k7 * (v16 + v18);
 
     /* theta2 */
-    const wide X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp);
-    const wide X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
-    const wide X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
-    const wide X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide Y1_2_pp = d4 * c3_pp - a3 * s3_pp;
-    const wide Y1_2_pm = d4 * c3_pm - a3 * s3_pm;
-    const wide Y1_2_mp = d4 * c3_mp - a3 * s3_mp;
-    const wide Y1_2_mm = d4 * c3_mm - a3 * s3_mm;
-    const wide S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp;
-    const wide S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm;
-    const wide S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp;
-    const wide S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm;
-    const wide C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp;
-    const wide C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm;
-    const wide v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp;
-    const wide v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm;
-    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v22 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v23 = S2_mp * S2_mp + v19 * v19;
-    const wide v24 = S2_mm * S2_mm + v20 * v20;
-    const wide factor2_pp = 1.0 / sqrt_wide(v21);
-    const wide factor2_pm = 1.0 / sqrt_wide(v22);
-    const wide factor2_mp = 1.0 / sqrt_wide(v23);
-    const wide factor2_mm = 1.0 / sqrt_wide(v24);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide v25 = v19 * factor2_mp;
-    const wide v26 = v20 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide X1_2_p = m2 + m1 * N3_p;
+    const wide X1_2_m = m2 + m1 * N3_m;
+    const wide v5 = Z1_3 * X1_2_p;
+    const wide v6 = Z1_3 * X1_2_m;
+    const wide v7 = Z2_3_p * X1_2_p;
+    const wide v8 = v3 * X1_2_m;
+    const wide v9 = m1 * Z1_3;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp;
-    const wide c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm;
-    const wide c2m3_mp = s3_mp * s2_mp - c3_mp * v25;
-    const wide c2m3_mm = s3_mm * s2_mm - c3_mm * v26;
-    const wide s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp;
-    const wide s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm;
-    const wide s2m3_mp = c3_mp * s2_mp + s3_mp * v25;
-    const wide s2m3_mm = c3_mm * s2_mm + s3_mm * v26;
-    const wide v27 = T13 * c1_p - T23 * s1_p;
-    const wide v28 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v27;
-    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v27;
-    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v28;
-    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v28;
+    const wide v10 = m3 * Z1_3;
+    const wide v11 = v10 - m4 * Z2_3_p;
+    const wide v12 = m4 - m5 * factor2_p;
+    const wide v13 = m4 - m5 * factor2_m;
+    const wide v14 = m3 - m6 * factor2_p;
+    const wide v15 = m3 - m6 * factor2_m;
+    const wide v16 = Z1_3 * v12 + Z2_3_p * v14;
+    const wide v17 = Z1_3 * v13 - v3 * v15;
+    const wide c2m3_pp = v16 + w3_p * (factor2_p * v11);
+    const wide c2m3_pm = v16 + w3_p * (factor2_p * -v11);
+    const wide v18 = w3_m * (factor2_m * (v10 + m4 * v3));
+    const wide c2m3_mp = v17 + v18;
+    const wide c2m3_mm = v17 - v18;
+    const wide v19 = m4 * Z1_3;
+    const wide v20 = v19 - m3 * v3;
+    const wide v21 = Z1_3 * v14 + Z2_3_p * -v12;
+    const wide v22 = Z1_3 * v15 - v3 * -v13;
+    const wide v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p));
+    const wide s2m3_pp = v21 - v23;
+    const wide s2m3_pm = v21 + v23;
+    const wide s2m3_mp = v22 - w3_m * (factor2_m * v20);
+    const wide s2m3_mm = v22 - w3_m * (factor2_m * -v20);
+    const wide v24 = T13 * c1_p - T23 * s1_p;
+    const wide v25 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24;
+    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
+    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v25;
+    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
     const wide Y4_p = T23 * c1_p + T13 * s1_p;
     const wide Y4_m = T23 * c1_m + T13 * s1_m;
-    const wide v29 = Y4_p * Y4_p;
-    const wide v30 = Y4_m * Y4_m;
-    const wide v31 = v29 + X4_pp * X4_pp;
-    const wide v32 = v29 + X4_pm * X4_pm;
-    const wide v33 = v30 + X4_mp * X4_mp;
-    const wide v34 = v30 + X4_mm * X4_mm;
+    const wide v26 = Y4_p * Y4_p;
+    const wide v27 = Y4_m * Y4_m;
+    const wide v28 = v26 + X4_pp * X4_pp;
+    const wide v29 = v26 + X4_pm * X4_pm;
+    const wide v30 = v27 + X4_mp * X4_mp;
+    const wide v31 = v27 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v35 = c1_p * T22 + s1_p * T12;
-    const wide v36 = c1_m * T22 + s1_m * T12;
-    const wide v37 = c1_p * T12 - s1_p * T22;
-    const wide v38 = c1_m * T12 - s1_m * T22;
-    const wide v39 = c1_p * T21 + s1_p * T11;
-    const wide v40 = c1_m * T21 + s1_m * T11;
-    const wide v41 = c1_p * T11 - s1_p * T21;
-    const wide v42 = c1_m * T11 - s1_m * T21;
-    const wide s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp;
-    const wide s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm;
-    const wide s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp;
-    const wide s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm;
+    const wide v32 = c1_p * T22 + s1_p * T12;
+    const wide v33 = c1_m * T22 + s1_m * T12;
+    const wide v34 = c1_p * T12 - s1_p * T22;
+    const wide v35 = c1_m * T12 - s1_m * T22;
+    const wide v36 = c1_p * T21 + s1_p * T11;
+    const wide v37 = c1_m * T21 + s1_m * T11;
+    const wide v38 = c1_p * T11 - s1_p * T21;
+    const wide v39 = c1_m * T11 - s1_m * T21;
+    const wide s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp;
+    const wide s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm;
+    const wide s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp;
+    const wide s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
 
     /* joint values */
-    const wide angle1__ = atan2_wide(S2_pp, C2_pp);
-    const wide v43 = angle1__ - offset2;
-    const wide angle1___ = atan2_wide(S2_pm, C2_pm);
-    const wide v44 = angle1___ - offset2;
-    const wide angle1____ = atan2_wide(S2_mp, -v19);
+    const wide v40 = w3_p * v9;
+    const wide angle1__ = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40);
+    const wide v41 = angle1__ - offset2;
+    const wide angle1___ = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40);
+    const wide v42 = angle1___ - offset2;
+    const wide v43 = w3_m * (m1 * v3);
+    const wide v44 = w3_m * v9;
+    const wide angle1____ = atan2_wide(v6 - v43, -(v8 + v44));
     const wide v45 = angle1____ - offset2;
-    const wide angle1_____ = atan2_wide(S2_mm, -v20);
+    const wide angle1_____ = atan2_wide(v6 + v43, v44 - v8);
     const wide v46 = angle1_____ - offset2;
-    const wide q2_ppp = v43 - pick_wide(half_turn < v43, all_wide(m3), all_wide(0.0));
-    const wide q2_pmp = v44 - pick_wide(half_turn < v44, all_wide(m3), all_wide(0.0));
-    const wide q2_mpp = v45 - pick_wide(half_turn < v45, all_wide(m3), all_wide(0.0));
-    const wide q2_mmp = v46 - pick_wide(half_turn < v46, all_wide(m3), all_wide(0.0));
-    const wide angle1______ = atan2_wide(w3_p, K3_p);
-    const wide angle1_______ = atan2_wide(w3_m, K3_m);
+    const wide q2_ppp = v41 - pick_wide(half_turn < v41, all_wide(m8), all_wide(0.0));
+    const wide q2_pmp = v42 - pick_wide(half_turn < v42, all_wide(m8), all_wide(0.0));
+    const wide q2_mpp = v45 - pick_wide(half_turn < v45, all_wide(m8), all_wide(0.0));
+    const wide q2_mmp = v46 - pick_wide(half_turn < v46, all_wide(m8), all_wide(0.0));
+    const wide angle1______ = atan2_wide(w3_p, N3_p - k6);
+    const wide angle1_______ = atan2_wide(w3_m, N3_m - k6);
     const wide v47 = angle1______ - turn1 - offset3;
     const wide v48 = offset3 + (turn1 + angle1______);
     const wide v49 = angle1_______ - turn1 - offset3;
     const wide v50 = offset3 + (turn1 + angle1_______);
-    const wide q3_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q3_pmp = pick_wide(-v48 <= -half_turn, all_wide(m3), all_wide(0.0)) - v48;
-    const wide q3_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q3_mmp = pick_wide(-v50 <= -half_turn, all_wide(m3), all_wide(0.0)) - v50;
+    const wide q3_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_pmp = pick_wide(-v48 <= -half_turn, all_wide(m8), all_wide(0.0)) - v48;
+    const wide q3_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_mmp = pick_wide(-v50 <= -half_turn, all_wide(m8), all_wide(0.0)) - v50;
     const wide angle1________ = atan2_wide(Y4_p, -X4_pp);
     const wide angle1_________ = atan2_wide(Y4_p, -X4_pm);
     const wide angle1__________ = atan2_wide(Y4_m, -X4_mp);
@@ -623,18 +691,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v58 = angle1__________ - v52 - offset4;
     const wide v59 = angle1___________ - offset4;
     const wide v60 = angle1___________ - v52 - offset4;
-    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v27);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v27);
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp + s2m3_mp * v28);
-    const wide angle1_______________ = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm + s2m3_mm * v28);
+    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24);
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25);
+    const wide angle1_______________ = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25);
     const wide v61 = angle1____________ - offset5;
     const wide v62 = offset5 + angle1____________;
     const wide v63 = angle1_____________ - offset5;
@@ -643,21 +711,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v66 = offset5 + angle1______________;
     const wide v67 = angle1_______________ - offset5;
     const wide v68 = offset5 + angle1_______________;
-    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m3), all_wide(0.0)) - v62;
-    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m3), all_wide(0.0)) - v64;
-    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m3), all_wide(0.0)) - v66;
-    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m3), all_wide(0.0)) - v68;
-    const wide angle1________________ = atan2_wide(s6_pp, v35 * -X4_pp - Y4_p * (c2m3_pp * v37 -
+    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m8), all_wide(0.0)) - v62;
+    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m8), all_wide(0.0)) - v64;
+    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m8), all_wide(0.0)) - v66;
+    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m8), all_wide(0.0)) - v68;
+    const wide angle1________________ = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 -
         s2m3_pp * T32));
-    const wide angle1_________________ = atan2_wide(s6_pm, v35 * -X4_pm - Y4_p * (c2m3_pm * v37 -
+    const wide angle1_________________ = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 -
         s2m3_pm * T32));
-    const wide angle1__________________ = atan2_wide(s6_mp, v36 * -X4_mp - Y4_m * (c2m3_mp * v38 -
+    const wide angle1__________________ = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 -
         s2m3_mp * T32));
-    const wide angle1___________________ = atan2_wide(s6_mm, v36 * -X4_mm - Y4_m * (c2m3_mm * v38 -
+    const wide angle1___________________ = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 -
         s2m3_mm * T32));
     const wide v69 = angle1________________ - offset6;
     const wide v70 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
@@ -671,14 +739,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v75 = angle1___________________ - offset6;
     const wide v76 = angle1___________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
         offset6;
-    const wide q6_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q6_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q6_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q6_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
     const wide_mask v77 = (angle1 < low1) | (high1 < angle1);
     const wide_mask v78 = (angle1_ < low1) | (high1 < angle1_);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
@@ -699,11 +767,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v81 | ((q5_mpm < low5) | (high5 < q5_mpm));
     const wide_mask outside_mmp = v82 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v82 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((v24 <= m1) | (v34 <= m2)) | (((v23 <= m1) | (v33 <= m2)) | (((v22 <=
-        m1) | (v32 <= m2)) | (((v21 <= m1) | (v31 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
-        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 | ((k3
+        < D1) == 0))) | (free1 | ((v31 <= m7) | ((v30 <= m7) | ((v28 <= m7) | (v29 <= m7)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -762,73 +830,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -847,147 +852,101 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v1 = k1 * X1;
-    const double v2 = k1 * wy;
-    const double v3 = X1 * w1;
-    const four v4 = v2 - e1 * v3;
-    const four c1 = inverse1 * v4;
-    const double v5 = wy * w1;
-    const four v6 = v1 + e1 * v5;
-    const four s1 = inverse1 * v6;
+    const double v1 = inverse1 * (k1 * wy);
+    const four c1 = v1 - w1 * (inverse1 * (e1 * X1));
+    const double v2 = inverse1 * (k1 * X1);
+    const four s1 = v2 + w1 * (inverse1 * (e1 * wy));
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const four Z2_3 = e1 * w1 - a1;
-    const double v7 = Z1_3 * Z1_3;
-    const four N3 = v7 + Z2_3 * Z2_3;
-    const four K3 = N3 - k6;
+    const double v3 = Z1_3 * Z1_3;
+    const four N3 = v3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v8 = k4 * K3;
-    const four v9 = k5 * w3;
-    const four s3 = k7 * (v8 + e2 * v9);
-    const four v10 = k5 * K3;
-    const four v11 = k4 * w3;
-    const four c3 = k7 * (v10 - e2 * v11);
 
     /* theta2 */
-    const four X1_2 = a2 + (a3 * c3 + d4 * s3);
-    const four Y1_2 = d4 * c3 - a3 * s3;
-    const four S2 = Z1_3 * X1_2 - Z2_3 * Y1_2;
-    const four C2 = Z2_3 * X1_2 - Z1_3 * -Y1_2;
-    const four v12 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v12);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four X1_2 = m2 + m1 * N3;
+    const four v4 = Z1_3 * X1_2;
+    const four v5 = Z2_3 * X1_2;
+    const four v6 = m1 * (e2 * Z1_3);
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c2m3 = c3 * c2 + s3 * s2;
-    const four s2m3 = c3 * s2 - s3 * c2;
-    const four v13 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v13;
+    const double v7 = m3 * Z1_3;
+    const four v8 = v7 - m4 * Z2_3;
+    const four v9 = m4 - m5 * factor2;
+    const four v10 = m3 - m6 * factor2;
+    const four v11 = Z1_3 * v9 + Z2_3 * v10;
+    const four c2m3 = v11 + w3 * (factor2 * (e2 * v8));
+    const double v12 = m4 * Z1_3;
+    const four v13 = v12 + m3 * Z2_3;
+    const four v14 = Z1_3 * v10 + Z2_3 * -v9;
+    const four s2m3 = v14 - w3 * (factor2 * (e2 * v13));
+    const four v15 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v15;
     const four Y4 = T23 * c1 + T13 * s1;
-    const four v14 = Y4 * Y4;
-    const four v15 = v14 + X4 * X4;
+    const four v16 = Y4 * Y4;
+    const four v17 = v16 + X4 * X4;
+    const four_mask doubt3 = v17 <= m7;
 
     /* theta6 */
-    const four v16 = c1 * T22 + s1 * T12;
-    const four v17 = c1 * T12 - s1 * T22;
-    const four v18 = c1 * T21 + s1 * T11;
-    const four v19 = c1 * T11 - s1 * T21;
-    const four s6 = Y4 * (c2m3 * v19 - s2m3 * T31) - v18 * -X4;
+    const four v18 = c1 * T22 + s1 * T12;
+    const four v19 = c1 * T12 - s1 * T22;
+    const four v20 = c1 * T21 + s1 * T11;
+    const four v21 = c1 * T11 - s1 * T21;
+    const four s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
 
     /* joint values */
-    const four v22 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v24 = copysign_four(all_four(half_turn), Y4) * h1;
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v31 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((v12 <= m1) | (v15 <= m2)) | v31;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(S2, C2);
+    const four angle1_ = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6);
     const four angle1___ = atan2_four(Y4, -X4);
-    const four angle1____ = atan2_four(-sqrt_four(v15), T33 * c2m3 + s2m3 * v13);
-    const four angle1_____ = atan2_four(s6, v16 * -X4 - Y4 * (c2m3 * v17 - s2m3 * T32));
-    const four packed5 = atan2_four(__builtin_shufflevector(v6, w3, 0, 5, 2, 7),
-        __builtin_shufflevector(v4, K3, 0, 5, 2, 7));
+    const four angle1____ = atan2_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
+    const four angle1_____ = atan2_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32));
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, w3, 0, 5, 2, 7),
+        __builtin_shufflevector(c1, N3 - k6, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four v20 = angle1_ - offset2;
-    const four q2_p = v20 - pick_four(half_turn < v20, all_four(m3), all_four(0.0));
-    const four v21 = e2 * angle1__ - turn1 - offset3;
-    const four q3_p = v21 + pick_four(v21 <= -half_turn, all_four(m3), all_four(0.0));
-    const four v23 = angle1___ - offset4;
-    const four v24 = angle1___ - v22 - offset4;
-    const four q4_p = v23 + pick_four(v23 <= -half_turn, all_four(m3), all_four(0.0));
-    const four q4_m = v24 + pick_four(v24 <= -half_turn, all_four(m3), all_four(0.0));
-    const four v25 = angle1____ - offset5;
-    const four v26 = offset5 + angle1____;
-    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m3), all_four(0.0));
-    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m3), all_four(0.0)) - v26;
-    const four v27 = angle1_____ - offset6;
-    const four v28 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v27 + pick_four(v27 <= -half_turn, all_four(m3), all_four(0.0));
-    const four q6_m = v28 + pick_four(v28 <= -half_turn, all_four(m3), all_four(0.0));
-    const four_mask v29 = (angle1 < low1) | (high1 < angle1);
+    const four v22 = angle1_ - offset2;
+    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m8), all_four(0.0));
+    const four v23 = e2 * angle1__ - turn1 - offset3;
+    const four q3_p = v23 + pick_four(v23 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v25 = angle1___ - offset4;
+    const four v26 = angle1___ - v24 - offset4;
+    const four q4_p = v25 + pick_four(v25 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q4_m = v26 + pick_four(v26 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v27 = angle1____ - offset5;
+    const four v28 = offset5 + angle1____;
+    const four q5_p = v27 + pick_four(v27 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q5_m = pick_four(-v28 <= -half_turn, all_four(m8), all_four(0.0)) - v28;
+    const four v29 = angle1_____ - offset6;
+    const four v30 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v29 + pick_four(v29 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q6_m = v30 + pick_four(v30 <= -half_turn, all_four(m8), all_four(0.0));
+    const four_mask v31 = (angle1 < low1) | (high1 < angle1);
     const four q1_p = angle1 + (w3 - w3);
-    const four_mask v30 = ((q3_p < low3) | (high3 < q3_p)) | (v29 | ((q2_p < low2) | (high2 <
+    const four_mask v32 = ((q3_p < low3) | (high3 < q3_p)) | (v31 | ((q2_p < low2) | (high2 <
         q2_p)));
-    const four_mask outside_p = v30 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v30 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * COMAU_NS16_UNREACHABLE + (outside1 & ~none1) *
+        COMAU_NS16_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -93,10 +93,15 @@ low3 = -2.967000001  # lowest value of joint 3
 high3 = 1.919800001  # highest value of joint 3
 low5 = -3.141590001  # lowest value of joint 5
 high5 = 3.141590001  # highest value of joint 5
-m1 = 5.685938154625594e-47  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m3 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m4
+m1 = 0.7142857142857144  # a coefficient of X1_2
+m2 = 0.047427857142857084  # a coefficient of X1_2
+m3 = 0.21836586788038748  # a coefficient of c2m3
+m4 = 0.7365421705803339  # a coefficient of c2m3
+m5 = 0.04890566358436353  # a coefficient of c2m3
+m6 = 0.01449927526138983  # a coefficient of c2m3
+m7 = 1e-24  # free_limit^2
+m8 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -547,144 +552,114 @@ def _regular(pose, q, status):
     free1 = N1 <= free_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
-    v1 = k1 * X1
-    v2 = k1 * wy
-    v3 = X1 * w1
-    v4 = v2 - v3
-    v5 = v2 + v3
-    c1_p = inverse1 * v4
-    c1_m = inverse1 * v5
-    v6 = wy * w1
-    v7 = v1 + v6
-    v8 = v1 - v6
-    s1_p = inverse1 * v7
-    s1_m = inverse1 * v8
-    angle1 = _atan2(v7, v4)
-    angle1_ = _atan2(v8, v5)
+    v1 = inverse1 * (k1 * wy)
+    c1_p = v1 - w1 * (X1 * inverse1)
+    c1_m = v1 - w1 * (inverse1 * -X1)
+    v2 = inverse1 * (k1 * X1)
+    s1_p = v2 + w1 * (wy * inverse1)
+    s1_m = v2 + w1 * (inverse1 * -wy)
+    angle1 = _atan2(s1_p, c1_p)
+    angle1_ = _atan2(s1_m, c1_m)
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
     Z2_3_p = w1 - a1
-    v9 = a1 + w1
-    v10 = Z1_3 * Z1_3
-    N3_p = v10 + Z2_3_p * Z2_3_p
-    N3_m = v10 + v9 * v9
-    K3_p = N3_p - k6
-    K3_m = N3_m - k6
+    v3 = a1 + w1
+    v4 = Z1_3 * Z1_3
+    N3_p = v4 + Z2_3_p * Z2_3_p
+    N3_m = v4 + v3 * v3
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v11 = k4 * K3_p
-    v12 = k4 * K3_m
-    v13 = k5 * w3_p
-    v14 = k5 * w3_m
-    s3_pp = k7 * (v11 + v13)
-    s3_pm = k7 * (v11 - v13)
-    s3_mp = k7 * (v12 + v14)
-    s3_mm = k7 * (v12 - v14)
-    v15 = k5 * K3_p
-    v16 = k5 * K3_m
-    v17 = k4 * w3_p
-    v18 = k4 * w3_m
-    c3_pp = k7 * (v15 - v17)
-    c3_pm = k7 * (v15 + v17)
-    c3_mp = k7 * (v16 - v18)
-    c3_mm = k7 * (v16 + v18)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
-    X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
-    X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
-    X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
-    Y1_2_pp = d4 * c3_pp - a3 * s3_pp
-    Y1_2_pm = d4 * c3_pm - a3 * s3_pm
-    Y1_2_mp = d4 * c3_mp - a3 * s3_mp
-    Y1_2_mm = d4 * c3_mm - a3 * s3_mm
-    S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp
-    S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm
-    S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp
-    S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm
-    C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp
-    C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm
-    v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp
-    v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm
-    v21 = S2_pp * S2_pp + C2_pp * C2_pp
-    v22 = S2_pm * S2_pm + C2_pm * C2_pm
-    v23 = S2_mp * S2_mp + v19 * v19
-    v24 = S2_mm * S2_mm + v20 * v20
-    factor2_pp = 1.0 / math.sqrt(v21)
-    factor2_pm = 1.0 / math.sqrt(v22)
-    factor2_mp = 1.0 / math.sqrt(v23)
-    factor2_mm = 1.0 / math.sqrt(v24)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    v25 = v19 * factor2_mp
-    v26 = v20 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    X1_2_p = m2 + m1 * N3_p
+    X1_2_m = m2 + m1 * N3_m
+    v5 = Z1_3 * X1_2_p
+    v6 = Z1_3 * X1_2_m
+    v7 = Z2_3_p * X1_2_p
+    v8 = v3 * X1_2_m
+    v9 = m1 * Z1_3
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp
-    c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm
-    c2m3_mp = s3_mp * s2_mp - c3_mp * v25
-    c2m3_mm = s3_mm * s2_mm - c3_mm * v26
-    s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp
-    s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm
-    s2m3_mp = c3_mp * s2_mp + s3_mp * v25
-    s2m3_mm = c3_mm * s2_mm + s3_mm * v26
-    v27 = T13 * c1_p - T23 * s1_p
-    v28 = T13 * c1_m - T23 * s1_m
-    X4_pp = T33 * s2m3_pp - c2m3_pp * v27
-    X4_pm = T33 * s2m3_pm - c2m3_pm * v27
-    X4_mp = T33 * s2m3_mp - c2m3_mp * v28
-    X4_mm = T33 * s2m3_mm - c2m3_mm * v28
+    v10 = m3 * Z1_3
+    v11 = v10 - m4 * Z2_3_p
+    v12 = m4 - m5 * factor2_p
+    v13 = m4 - m5 * factor2_m
+    v14 = m3 - m6 * factor2_p
+    v15 = m3 - m6 * factor2_m
+    v16 = Z1_3 * v12 + Z2_3_p * v14
+    v17 = Z1_3 * v13 - v3 * v15
+    c2m3_pp = v16 + w3_p * (factor2_p * v11)
+    c2m3_pm = v16 + w3_p * (factor2_p * -v11)
+    v18 = w3_m * (factor2_m * (v10 + m4 * v3))
+    c2m3_mp = v17 + v18
+    c2m3_mm = v17 - v18
+    v19 = m4 * Z1_3
+    v20 = v19 - m3 * v3
+    v21 = Z1_3 * v14 + Z2_3_p * -v12
+    v22 = Z1_3 * v15 - v3 * -v13
+    v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
+    s2m3_pp = v21 - v23
+    s2m3_pm = v21 + v23
+    s2m3_mp = v22 - w3_m * (factor2_m * v20)
+    s2m3_mm = v22 - w3_m * (factor2_m * -v20)
+    v24 = T13 * c1_p - T23 * s1_p
+    v25 = T13 * c1_m - T23 * s1_m
+    X4_pp = T33 * s2m3_pp - c2m3_pp * v24
+    X4_pm = T33 * s2m3_pm - c2m3_pm * v24
+    X4_mp = T33 * s2m3_mp - c2m3_mp * v25
+    X4_mm = T33 * s2m3_mm - c2m3_mm * v25
     Y4_p = T23 * c1_p + T13 * s1_p
     Y4_m = T23 * c1_m + T13 * s1_m
-    v29 = Y4_p * Y4_p
-    v30 = Y4_m * Y4_m
-    v31 = v29 + X4_pp * X4_pp
-    v32 = v29 + X4_pm * X4_pm
-    v33 = v30 + X4_mp * X4_mp
-    v34 = v30 + X4_mm * X4_mm
+    v26 = Y4_p * Y4_p
+    v27 = Y4_m * Y4_m
+    v28 = v26 + X4_pp * X4_pp
+    v29 = v26 + X4_pm * X4_pm
+    v30 = v27 + X4_mp * X4_mp
+    v31 = v27 + X4_mm * X4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v35 = c1_p * T22 + s1_p * T12
-    v36 = c1_m * T22 + s1_m * T12
-    v37 = c1_p * T12 - s1_p * T22
-    v38 = c1_m * T12 - s1_m * T22
-    v39 = c1_p * T21 + s1_p * T11
-    v40 = c1_m * T21 + s1_m * T11
-    v41 = c1_p * T11 - s1_p * T21
-    v42 = c1_m * T11 - s1_m * T21
-    s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp
-    s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm
-    s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp
-    s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm
+    v32 = c1_p * T22 + s1_p * T12
+    v33 = c1_m * T22 + s1_m * T12
+    v34 = c1_p * T12 - s1_p * T22
+    v35 = c1_m * T12 - s1_m * T22
+    v36 = c1_p * T21 + s1_p * T11
+    v37 = c1_m * T21 + s1_m * T11
+    v38 = c1_p * T11 - s1_p * T21
+    v39 = c1_m * T11 - s1_m * T21
+    s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp
+    s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm
+    s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
+    s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
 
     # joint values
-    angle1__ = _atan2(S2_pp, C2_pp)
-    v43 = angle1__ - offset2
-    angle1___ = _atan2(S2_pm, C2_pm)
-    v44 = angle1___ - offset2
-    angle1____ = _atan2(S2_mp, -v19)
+    v40 = w3_p * v9
+    angle1__ = _atan2(v5 + w3_p * (m1 * Z2_3_p), v7 - v40)
+    v41 = angle1__ - offset2
+    angle1___ = _atan2(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40)
+    v42 = angle1___ - offset2
+    v43 = w3_m * (m1 * v3)
+    v44 = w3_m * v9
+    angle1____ = _atan2(v6 - v43, -(v8 + v44))
     v45 = angle1____ - offset2
-    angle1_____ = _atan2(S2_mm, -v20)
+    angle1_____ = _atan2(v6 + v43, v44 - v8)
     v46 = angle1_____ - offset2
-    q2_ppp = v43 - (m3 if half_turn < v43 else 0.0)
-    q2_pmp = v44 - (m3 if half_turn < v44 else 0.0)
-    q2_mpp = v45 - (m3 if half_turn < v45 else 0.0)
-    q2_mmp = v46 - (m3 if half_turn < v46 else 0.0)
-    angle1______ = _atan2(w3_p, K3_p)
-    angle1_______ = _atan2(w3_m, K3_m)
+    q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
+    q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
+    q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
+    q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
+    angle1______ = _atan2(w3_p, N3_p - k6)
+    angle1_______ = _atan2(w3_m, N3_m - k6)
     v47 = angle1______ - turn1 - offset3
     v48 = offset3 + (turn1 + angle1______)
     v49 = angle1_______ - turn1 - offset3
     v50 = offset3 + (turn1 + angle1_______)
-    q3_ppp = v47 + (m3 if v47 <= -half_turn else 0.0)
-    q3_pmp = (m3 if -v48 <= -half_turn else 0.0) - v48
-    q3_mpp = v49 + (m3 if v49 <= -half_turn else 0.0)
-    q3_mmp = (m3 if -v50 <= -half_turn else 0.0) - v50
+    q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
+    q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
+    q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
+    q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
     angle1________ = _atan2(Y4_p, -X4_pp)
     angle1_________ = _atan2(Y4_p, -X4_pm)
     angle1__________ = _atan2(Y4_m, -X4_mp)
@@ -699,18 +674,18 @@ def _regular(pose, q, status):
     v58 = angle1__________ - v52 - offset4
     v59 = angle1___________ - offset4
     v60 = angle1___________ - v52 - offset4
-    q4_ppp = v53 + (m3 if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 + (m3 if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 + (m3 if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 + (m3 if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 + (m3 if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 + (m3 if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 + (m3 if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 + (m3 if v60 <= -half_turn else 0.0)
-    angle1____________ = _atan2(-math.sqrt(v31), T33 * c2m3_pp + s2m3_pp * v27)
-    angle1_____________ = _atan2(-math.sqrt(v32), T33 * c2m3_pm + s2m3_pm * v27)
-    angle1______________ = _atan2(-math.sqrt(v33), T33 * c2m3_mp + s2m3_mp * v28)
-    angle1_______________ = _atan2(-math.sqrt(v34), T33 * c2m3_mm + s2m3_mm * v28)
+    q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 + (m8 if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 + (m8 if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
+    angle1____________ = _atan2(-math.sqrt(v28), T33 * c2m3_pp + s2m3_pp * v24)
+    angle1_____________ = _atan2(-math.sqrt(v29), T33 * c2m3_pm + s2m3_pm * v24)
+    angle1______________ = _atan2(-math.sqrt(v30), T33 * c2m3_mp + s2m3_mp * v25)
+    angle1_______________ = _atan2(-math.sqrt(v31), T33 * c2m3_mm + s2m3_mm * v25)
     v61 = angle1____________ - offset5
     v62 = offset5 + angle1____________
     v63 = angle1_____________ - offset5
@@ -719,18 +694,18 @@ def _regular(pose, q, status):
     v66 = offset5 + angle1______________
     v67 = angle1_______________ - offset5
     v68 = offset5 + angle1_______________
-    q5_ppp = v61 + (m3 if v61 <= -half_turn else 0.0)
-    q5_ppm = (m3 if -v62 <= -half_turn else 0.0) - v62
-    q5_pmp = v63 + (m3 if v63 <= -half_turn else 0.0)
-    q5_pmm = (m3 if -v64 <= -half_turn else 0.0) - v64
-    q5_mpp = v65 + (m3 if v65 <= -half_turn else 0.0)
-    q5_mpm = (m3 if -v66 <= -half_turn else 0.0) - v66
-    q5_mmp = v67 + (m3 if v67 <= -half_turn else 0.0)
-    q5_mmm = (m3 if -v68 <= -half_turn else 0.0) - v68
-    angle1________________ = _atan2(s6_pp, v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32))
-    angle1_________________ = _atan2(s6_pm, v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32))
-    angle1__________________ = _atan2(s6_mp, v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32))
-    angle1___________________ = _atan2(s6_mm, v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32))
+    q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
+    q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
+    q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
+    q5_pmm = (m8 if -v64 <= -half_turn else 0.0) - v64
+    q5_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
+    q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
+    q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+    q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
+    angle1________________ = _atan2(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32))
+    angle1_________________ = _atan2(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32))
+    angle1__________________ = _atan2(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32))
+    angle1___________________ = _atan2(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32))
     v69 = angle1________________ - offset6
     v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
     v71 = angle1_________________ - offset6
@@ -739,14 +714,14 @@ def _regular(pose, q, status):
     v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
     v75 = angle1___________________ - offset6
     v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v69 + (m3 if v69 <= -half_turn else 0.0)
-    q6_ppm = v70 + (m3 if v70 <= -half_turn else 0.0)
-    q6_pmp = v71 + (m3 if v71 <= -half_turn else 0.0)
-    q6_pmm = v72 + (m3 if v72 <= -half_turn else 0.0)
-    q6_mpp = v73 + (m3 if v73 <= -half_turn else 0.0)
-    q6_mpm = v74 + (m3 if v74 <= -half_turn else 0.0)
-    q6_mmp = v75 + (m3 if v75 <= -half_turn else 0.0)
-    q6_mmm = v76 + (m3 if v76 <= -half_turn else 0.0)
+    q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
+    q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
+    q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
+    q6_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
+    q6_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
+    q6_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
+    q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
+    q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
     v77 = angle1 < low1 or high1 < angle1
     v78 = angle1_ < low1 or high1 < angle1_
     q1_ppp = angle1 + (w3_p - w3_p)
@@ -763,15 +738,15 @@ def _regular(pose, q, status):
     outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt = (
-        v24 <= m1 or v34 <= m2 or (v23 <= m1 or v33 <= m2 or (v22 <= m1 or v32 <= m2 or (v21 <= m1
-        or v31 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart) or (free1 or -k2 <= D1 and (free1 or
-        not (k3 < D1))))))))
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m7 or (v30
+        <= m7 or (v28 <= m7 or v29 <= m7))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1020,118 +995,88 @@ def _in_tiles(T, q, status):
             free1 = N1 <= free_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
-            v1 = k1 * X1
-            v2 = k1 * wy
-            v3 = X1 * w1
-            v4 = v2 - v3
-            v5 = v2 + v3
-            c1_p = inverse1 * v4
-            c1_m = inverse1 * v5
-            v6 = wy * w1
-            v7 = v1 + v6
-            v8 = v1 - v6
-            s1_p = inverse1 * v7
-            s1_m = inverse1 * v8
+            v1 = inverse1 * (k1 * wy)
+            c1_p = v1 - w1 * (X1 * inverse1)
+            c1_m = v1 - w1 * (inverse1 * -X1)
+            v2 = inverse1 * (k1 * X1)
+            s1_p = v2 + w1 * (wy * inverse1)
+            s1_m = v2 + w1 * (inverse1 * -wy)
             Z1_3 = d1 + (d6 * T33 - T34)
             Z2_3_p = w1 - a1
-            v9 = a1 + w1
-            v10 = Z1_3 * Z1_3
-            N3_p = v10 + Z2_3_p * Z2_3_p
-            N3_m = v10 + v9 * v9
-            K3_p = N3_p - k6
-            K3_m = N3_m - k6
+            v3 = a1 + w1
+            v4 = Z1_3 * Z1_3
+            N3_p = v4 + Z2_3_p * Z2_3_p
+            N3_m = v4 + v3 * v3
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v11 = k4 * K3_p
-            v12 = k4 * K3_m
-            v13 = k5 * w3_p
-            v14 = k5 * w3_m
-            s3_pp = k7 * (v11 + v13)
-            s3_pm = k7 * (v11 - v13)
-            s3_mp = k7 * (v12 + v14)
-            s3_mm = k7 * (v12 - v14)
-            v15 = k5 * K3_p
-            v16 = k5 * K3_m
-            v17 = k4 * w3_p
-            v18 = k4 * w3_m
-            c3_pp = k7 * (v15 - v17)
-            c3_pm = k7 * (v15 + v17)
-            c3_mp = k7 * (v16 - v18)
-            c3_mm = k7 * (v16 + v18)
-            X1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
-            X1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
-            X1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
-            X1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
-            Y1_2_pp = d4 * c3_pp - a3 * s3_pp
-            Y1_2_pm = d4 * c3_pm - a3 * s3_pm
-            Y1_2_mp = d4 * c3_mp - a3 * s3_mp
-            Y1_2_mm = d4 * c3_mm - a3 * s3_mm
-            S2_pp = Z1_3 * X1_2_pp - Z2_3_p * Y1_2_pp
-            S2_pm = Z1_3 * X1_2_pm - Z2_3_p * Y1_2_pm
-            S2_mp = Z1_3 * X1_2_mp + v9 * Y1_2_mp
-            S2_mm = Z1_3 * X1_2_mm + v9 * Y1_2_mm
-            C2_pp = Z2_3_p * X1_2_pp - Z1_3 * -Y1_2_pp
-            C2_pm = Z2_3_p * X1_2_pm - Z1_3 * -Y1_2_pm
-            v19 = v9 * X1_2_mp + Z1_3 * -Y1_2_mp
-            v20 = v9 * X1_2_mm + Z1_3 * -Y1_2_mm
-            v21 = S2_pp * S2_pp + C2_pp * C2_pp
-            v22 = S2_pm * S2_pm + C2_pm * C2_pm
-            v23 = S2_mp * S2_mp + v19 * v19
-            v24 = S2_mm * S2_mm + v20 * v20
-            factor2_pp = 1.0 / math.sqrt(v21)
-            factor2_pm = 1.0 / math.sqrt(v22)
-            factor2_mp = 1.0 / math.sqrt(v23)
-            factor2_mm = 1.0 / math.sqrt(v24)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            v25 = v19 * factor2_mp
-            v26 = v20 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            c2m3_pp = c3_pp * c2_pp + s3_pp * s2_pp
-            c2m3_pm = c3_pm * c2_pm + s3_pm * s2_pm
-            c2m3_mp = s3_mp * s2_mp - c3_mp * v25
-            c2m3_mm = s3_mm * s2_mm - c3_mm * v26
-            s2m3_pp = c3_pp * s2_pp - s3_pp * c2_pp
-            s2m3_pm = c3_pm * s2_pm - s3_pm * c2_pm
-            s2m3_mp = c3_mp * s2_mp + s3_mp * v25
-            s2m3_mm = c3_mm * s2_mm + s3_mm * v26
-            v27 = T13 * c1_p - T23 * s1_p
-            v28 = T13 * c1_m - T23 * s1_m
-            X4_pp = T33 * s2m3_pp - c2m3_pp * v27
-            X4_pm = T33 * s2m3_pm - c2m3_pm * v27
-            X4_mp = T33 * s2m3_mp - c2m3_mp * v28
-            X4_mm = T33 * s2m3_mm - c2m3_mm * v28
+            X1_2_p = m2 + m1 * N3_p
+            X1_2_m = m2 + m1 * N3_m
+            v5 = Z1_3 * X1_2_p
+            v6 = Z1_3 * X1_2_m
+            v7 = Z2_3_p * X1_2_p
+            v8 = v3 * X1_2_m
+            v9 = m1 * Z1_3
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v10 = m3 * Z1_3
+            v11 = v10 - m4 * Z2_3_p
+            v12 = m4 - m5 * factor2_p
+            v13 = m4 - m5 * factor2_m
+            v14 = m3 - m6 * factor2_p
+            v15 = m3 - m6 * factor2_m
+            v16 = Z1_3 * v12 + Z2_3_p * v14
+            v17 = Z1_3 * v13 - v3 * v15
+            c2m3_pp = v16 + w3_p * (factor2_p * v11)
+            c2m3_pm = v16 + w3_p * (factor2_p * -v11)
+            v18 = w3_m * (factor2_m * (v10 + m4 * v3))
+            c2m3_mp = v17 + v18
+            c2m3_mm = v17 - v18
+            v19 = m4 * Z1_3
+            v20 = v19 - m3 * v3
+            v21 = Z1_3 * v14 + Z2_3_p * -v12
+            v22 = Z1_3 * v15 - v3 * -v13
+            v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p))
+            s2m3_pp = v21 - v23
+            s2m3_pm = v21 + v23
+            s2m3_mp = v22 - w3_m * (factor2_m * v20)
+            s2m3_mm = v22 - w3_m * (factor2_m * -v20)
+            v24 = T13 * c1_p - T23 * s1_p
+            v25 = T13 * c1_m - T23 * s1_m
+            X4_pp = T33 * s2m3_pp - c2m3_pp * v24
+            X4_pm = T33 * s2m3_pm - c2m3_pm * v24
+            X4_mp = T33 * s2m3_mp - c2m3_mp * v25
+            X4_mm = T33 * s2m3_mm - c2m3_mm * v25
             Y4_p = T23 * c1_p + T13 * s1_p
             Y4_m = T23 * c1_m + T13 * s1_m
-            v29 = Y4_p * Y4_p
-            v30 = Y4_m * Y4_m
-            v31 = v29 + X4_pp * X4_pp
-            v32 = v29 + X4_pm * X4_pm
-            v33 = v30 + X4_mp * X4_mp
-            v34 = v30 + X4_mm * X4_mm
-            v35 = c1_p * T22 + s1_p * T12
-            v36 = c1_m * T22 + s1_m * T12
-            v37 = c1_p * T12 - s1_p * T22
-            v38 = c1_m * T12 - s1_m * T22
-            v39 = c1_p * T21 + s1_p * T11
-            v40 = c1_m * T21 + s1_m * T11
-            v41 = c1_p * T11 - s1_p * T21
-            v42 = c1_m * T11 - s1_m * T21
-            s6_pp = Y4_p * (c2m3_pp * v41 - s2m3_pp * T31) - v39 * -X4_pp
-            s6_pm = Y4_p * (c2m3_pm * v41 - s2m3_pm * T31) - v39 * -X4_pm
-            s6_mp = Y4_m * (c2m3_mp * v42 - s2m3_mp * T31) - v40 * -X4_mp
-            s6_mm = Y4_m * (c2m3_mm * v42 - s2m3_mm * T31) - v40 * -X4_mm
+            v26 = Y4_p * Y4_p
+            v27 = Y4_m * Y4_m
+            v28 = v26 + X4_pp * X4_pp
+            v29 = v26 + X4_pm * X4_pm
+            v30 = v27 + X4_mp * X4_mp
+            v31 = v27 + X4_mm * X4_mm
+            v32 = c1_p * T22 + s1_p * T12
+            v33 = c1_m * T22 + s1_m * T12
+            v34 = c1_p * T12 - s1_p * T22
+            v35 = c1_m * T12 - s1_m * T22
+            v36 = c1_p * T21 + s1_p * T11
+            v37 = c1_m * T21 + s1_m * T11
+            v38 = c1_p * T11 - s1_p * T21
+            v39 = c1_m * T11 - s1_m * T21
+            s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp
+            s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm
+            s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp
+            s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm
+            v40 = w3_p * v9
+            v43 = w3_m * (m1 * v3)
+            v44 = w3_m * v9
             v51 = math.copysign(half_turn, Y4_p) * h1
             v52 = math.copysign(half_turn, Y4_m) * h1
-            doubt = (
-                v24 <= m1 or v34 <= m2 or (v23 <= m1 or v33 <= m2 or (v22 <= m1 or v32 <= m2 or (v21
-                <= m1 or v31 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and
-                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
-                (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (-k2 <= D1 and (free1 or not
+                (k3 < D1)) or (free1 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
             )
             work[544 + k] = w3_p
             work[576 + k] = w3_m
@@ -1141,47 +1086,47 @@ def _in_tiles(T, q, status):
             work[704 + k] = s6_mm
             work[736 + k] = v51
             work[768 + k] = v52
-            work[800 + k] = doubt
-            work[832 + k] = v7
-            work[864 + k] = v8
-            work[896 + k] = S2_pp
-            work[928 + k] = S2_pm
-            work[960 + k] = S2_mp
-            work[992 + k] = S2_mm
+            work[800 + k] = doubt1
+            work[832 + k] = s1_p
+            work[864 + k] = s1_m
+            work[896 + k] = v5 + w3_p * (m1 * Z2_3_p)
+            work[928 + k] = v5 + w3_p * (m1 * -Z2_3_p)
+            work[960 + k] = v6 - v43
+            work[992 + k] = v6 + v43
             work[1024 + k] = w3_p
             work[1056 + k] = w3_m
             work[1088 + k] = Y4_p
             work[1120 + k] = Y4_p
             work[1152 + k] = Y4_m
             work[1184 + k] = Y4_m
-            work[1216 + k] = -math.sqrt(v31)
-            work[1248 + k] = -math.sqrt(v32)
-            work[1280 + k] = -math.sqrt(v33)
-            work[1312 + k] = -math.sqrt(v34)
+            work[1216 + k] = -math.sqrt(v28)
+            work[1248 + k] = -math.sqrt(v29)
+            work[1280 + k] = -math.sqrt(v30)
+            work[1312 + k] = -math.sqrt(v31)
             work[1344 + k] = s6_pp
             work[1376 + k] = s6_pm
             work[1408 + k] = s6_mp
             work[1440 + k] = s6_mm
-            work[1472 + k] = v4
-            work[1504 + k] = v5
-            work[1536 + k] = C2_pp
-            work[1568 + k] = C2_pm
-            work[1600 + k] = -v19
-            work[1632 + k] = -v20
-            work[1664 + k] = K3_p
-            work[1696 + k] = K3_m
+            work[1472 + k] = c1_p
+            work[1504 + k] = c1_m
+            work[1536 + k] = v7 - v40
+            work[1568 + k] = v7 + v40
+            work[1600 + k] = -(v8 + v44)
+            work[1632 + k] = v44 - v8
+            work[1664 + k] = N3_p - k6
+            work[1696 + k] = N3_m - k6
             work[1728 + k] = -X4_pp
             work[1760 + k] = -X4_pm
             work[1792 + k] = -X4_mp
             work[1824 + k] = -X4_mm
-            work[1856 + k] = T33 * c2m3_pp + s2m3_pp * v27
-            work[1888 + k] = T33 * c2m3_pm + s2m3_pm * v27
-            work[1920 + k] = T33 * c2m3_mp + s2m3_mp * v28
-            work[1952 + k] = T33 * c2m3_mm + s2m3_mm * v28
-            work[1984 + k] = v35 * -X4_pp - Y4_p * (c2m3_pp * v37 - s2m3_pp * T32)
-            work[2016 + k] = v35 * -X4_pm - Y4_p * (c2m3_pm * v37 - s2m3_pm * T32)
-            work[2048 + k] = v36 * -X4_mp - Y4_m * (c2m3_mp * v38 - s2m3_mp * T32)
-            work[2080 + k] = v36 * -X4_mm - Y4_m * (c2m3_mm * v38 - s2m3_mm * T32)
+            work[1856 + k] = T33 * c2m3_pp + s2m3_pp * v24
+            work[1888 + k] = T33 * c2m3_pm + s2m3_pm * v24
+            work[1920 + k] = T33 * c2m3_mp + s2m3_mp * v25
+            work[1952 + k] = T33 * c2m3_mm + s2m3_mm * v25
+            work[1984 + k] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
+            work[2016 + k] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
+            work[2048 + k] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
+            work[2080 + k] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
         for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
@@ -1193,7 +1138,7 @@ def _in_tiles(T, q, status):
             s6_mm = work[704 + k]
             v51 = work[736 + k]
             v52 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1214,22 +1159,22 @@ def _in_tiles(T, q, status):
             angle1_________________ = work[1376 + k]
             angle1__________________ = work[1408 + k]
             angle1___________________ = work[1440 + k]
-            v43 = angle1__ - offset2
-            v44 = angle1___ - offset2
+            v41 = angle1__ - offset2
+            v42 = angle1___ - offset2
             v45 = angle1____ - offset2
             v46 = angle1_____ - offset2
-            q2_ppp = v43 - (m3 if half_turn < v43 else 0.0)
-            q2_pmp = v44 - (m3 if half_turn < v44 else 0.0)
-            q2_mpp = v45 - (m3 if half_turn < v45 else 0.0)
-            q2_mmp = v46 - (m3 if half_turn < v46 else 0.0)
+            q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
+            q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
+            q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
+            q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
             v47 = angle1______ - turn1 - offset3
             v48 = offset3 + (turn1 + angle1______)
             v49 = angle1_______ - turn1 - offset3
             v50 = offset3 + (turn1 + angle1_______)
-            q3_ppp = v47 + (m3 if v47 <= -half_turn else 0.0)
-            q3_pmp = (m3 if -v48 <= -half_turn else 0.0) - v48
-            q3_mpp = v49 + (m3 if v49 <= -half_turn else 0.0)
-            q3_mmp = (m3 if -v50 <= -half_turn else 0.0) - v50
+            q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
+            q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
+            q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
+            q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
             v53 = angle1________ - offset4
             v54 = angle1________ - v51 - offset4
             v55 = angle1_________ - offset4
@@ -1238,14 +1183,14 @@ def _in_tiles(T, q, status):
             v58 = angle1__________ - v52 - offset4
             v59 = angle1___________ - offset4
             v60 = angle1___________ - v52 - offset4
-            q4_ppp = v53 + (m3 if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 + (m3 if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 + (m3 if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 + (m3 if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 + (m3 if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 + (m3 if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 + (m3 if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 + (m3 if v60 <= -half_turn else 0.0)
+            q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 + (m8 if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 + (m8 if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
             v61 = angle1____________ - offset5
             v62 = offset5 + angle1____________
             v63 = angle1_____________ - offset5
@@ -1254,14 +1199,14 @@ def _in_tiles(T, q, status):
             v66 = offset5 + angle1______________
             v67 = angle1_______________ - offset5
             v68 = offset5 + angle1_______________
-            q5_ppp = v61 + (m3 if v61 <= -half_turn else 0.0)
-            q5_ppm = (m3 if -v62 <= -half_turn else 0.0) - v62
-            q5_pmp = v63 + (m3 if v63 <= -half_turn else 0.0)
-            q5_pmm = (m3 if -v64 <= -half_turn else 0.0) - v64
-            q5_mpp = v65 + (m3 if v65 <= -half_turn else 0.0)
-            q5_mpm = (m3 if -v66 <= -half_turn else 0.0) - v66
-            q5_mmp = v67 + (m3 if v67 <= -half_turn else 0.0)
-            q5_mmm = (m3 if -v68 <= -half_turn else 0.0) - v68
+            q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
+            q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
+            q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
+            q5_pmm = (m8 if -v64 <= -half_turn else 0.0) - v64
+            q5_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
+            q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
+            q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+            q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
             v69 = angle1________________ - offset6
             v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
             v71 = angle1_________________ - offset6
@@ -1270,14 +1215,14 @@ def _in_tiles(T, q, status):
             v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
             v75 = angle1___________________ - offset6
             v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v69 + (m3 if v69 <= -half_turn else 0.0)
-            q6_ppm = v70 + (m3 if v70 <= -half_turn else 0.0)
-            q6_pmp = v71 + (m3 if v71 <= -half_turn else 0.0)
-            q6_pmm = v72 + (m3 if v72 <= -half_turn else 0.0)
-            q6_mpp = v73 + (m3 if v73 <= -half_turn else 0.0)
-            q6_mpm = v74 + (m3 if v74 <= -half_turn else 0.0)
-            q6_mmp = v75 + (m3 if v75 <= -half_turn else 0.0)
-            q6_mmm = v76 + (m3 if v76 <= -half_turn else 0.0)
+            q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
+            q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
+            q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
+            q6_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
+            q6_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
+            q6_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
+            q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
+            q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
             v77 = angle1 < low1 or high1 < angle1
             v78 = angle1_ < low1 or high1 < angle1_
             q1_ppp = angle1 + (w3_p - w3_p)
@@ -1386,7 +1331,7 @@ def _in_tiles(T, q, status):
             work[3424 + k] = (
                 UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef CRAIG_417_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DCRAIG_417_SCALAR. With -DCRAIG_417_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(CRAIG_417_SCALAR) && !defined(CRAIG_417_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef CRAIG_417_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & CRAIG_417_UNREACHABLE) \
+        | (~(none) & (outside) & CRAIG_417_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)CRAIG_417_UNREACHABLE \
+        : (outside) ? (int)CRAIG_417_OUT_OF_LIMITS : 0)
+#endif
 static const double sqrt2 = 1.4142135623730951; /* square root of 2 */
 static const double d4 = 1.0; /* joint offset 4 [m] */
 static const double a3 = 1.0; /* link length 4 [m] */
@@ -29,8 +331,11 @@ static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m2 = 8.099999999999999e-47; /* free_limit_squared2^2 [m^4] */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double m2 = 0.7071067811865476; /* a coefficient of v6 */
+static const double m3 = 0.5; /* a coefficient of v12 */
+static const double m4 = 1.4142135623730951; /* a coefficient of v12 */
+static const double m5 = 8.099999999999999e-47; /* free_limit_squared2^2 [m^4] */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -38,12 +343,6 @@ const char *const craig_417_branches[2] = {
 
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void craig_417_fk(const double q[4], double T[16])
 {
@@ -169,209 +468,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef CRAIG_417_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DCRAIG_417_SCALAR. With -DCRAIG_417_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(CRAIG_417_SCALAR) && !defined(CRAIG_417_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef CRAIG_417_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & CRAIG_417_UNREACHABLE) \
-        | (~(none) & (outside) & CRAIG_417_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)CRAIG_417_UNREACHABLE \
-        : (outside) ? (int)CRAIG_417_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
@@ -388,132 +484,136 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide inverse1 = 1.0 / N1;
     const wide v1 = k2 * T13;
     const wide v2 = k2 * T23;
-    const wide v3 = T13 * w1;
-    const wide v4 = v2 - v3;
-    const wide v5 = v2 + v3;
-    const wide c1_p = inverse1 * v4;
-    const wide c1_m = inverse1 * v5;
-    const wide v6 = T23 * w1;
-    const wide v7 = v1 + v6;
-    const wide v8 = v1 - v6;
-    const wide v9 = inverse1 * v7;
-    const wide v10 = inverse1 * v8;
+    const wide v3 = inverse1 * v2;
+    const wide v4 = w1 * (T13 * inverse1);
+    const wide c1_p = v3 - v4;
+    const wide c1_m = v3 + v4;
+    const wide v5 = inverse1 * v1;
+    const wide v6 = w1 * (T23 * inverse1);
+    const wide v7 = v5 + v6;
+    const wide v8 = v5 - v6;
 
     /* theta2 */
     const wide S2 = k2 * w1;
-    const wide v11 = k2 * T33;
-    const wide v12 = v11 * v11 + S2 * S2;
-    const wide v13 = 1.0 / sqrt_wide(v12);
-    const wide c2 = v11 * v13;
-    const wide v14 = S2 * v13;
-    const wide angle1 = atan2_wide(-S2, v11);
+    const wide v9 = k2 * T33;
+    const wide v10 = v9 * v9 + S2 * S2;
+    const wide v11 = 1.0 / sqrt_wide(v10);
+    const wide c2 = v9 * v11;
+    const wide v12 = S2 * v11;
+    const wide angle1 = atan2_wide(-S2, v9);
 
     /* theta34 */
-    const wide v15 = k2 * (c1_p * T21 + v9 * T11);
-    const wide v16 = k2 * (c1_m * T21 + v10 * T11);
-    const wide v17 = k2 * (c1_p * T22 + v9 * T12);
-    const wide v18 = k2 * (c1_m * T22 + v10 * T12);
-    const wide v19 = v15 * v15 + v17 * v17;
-    const wide v20 = v16 * v16 + v18 * v18;
-    const wide v21 = 1.0 / sqrt_wide(v19);
-    const wide v22 = 1.0 / sqrt_wide(v20);
-    const wide c34_p = v17 * v21;
-    const wide c34_m = v18 * v22;
-    const wide s34_p = v15 * v21;
-    const wide s34_m = v16 * v22;
+    const wide v13 = T23 * T11 - T13 * T21;
+    const wide v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const wide v15 = v14 + w1 * (m2 * (inverse1 * v13));
+    const wide v16 = v14 + w1 * (m2 * (inverse1 * -v13));
+    const wide v17 = T23 * T12 - T13 * T22;
+    const wide v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const wide v19 = v18 + w1 * (m2 * (inverse1 * v17));
+    const wide v20 = v18 + w1 * (m2 * (inverse1 * -v17));
+    const wide v21 = v15 * v15 + v19 * v19;
+    const wide v22 = v16 * v16 + v20 * v20;
+    const wide v23 = 1.0 / sqrt_wide(v21);
+    const wide v24 = 1.0 / sqrt_wide(v22);
+    const wide c34_p = v19 * v23;
+    const wide c34_m = v20 * v24;
+    const wide s34_p = v15 * v23;
+    const wide s34_m = v16 * v24;
 
     /* theta3 */
-    const wide v23 = 2.0 * T24;
-    const wide v24 = 2.0 * T14;
-    const wide v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)));
-    const wide v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)));
-    const wide v27 = v14 * T34;
-    const wide C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24));
-    const wide C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27);
-    const double v28 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide v29 = v25 * v25 + C3_p * C3_p;
-    const wide v30 = v26 * v26 + C3_m * C3_m;
-    const wide factor3_p = v28 / sqrt_wide(v29);
-    const wide factor3_m = v28 / sqrt_wide(v30);
+    const wide v25 = 2.0 * T24;
+    const wide v26 = 2.0 * T14;
+    const wide v27 = T13 * v25 - T23 * v26;
+    const wide v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25));
+    const wide v29 = v28 + w1 * (m3 * (inverse1 * v27));
+    const wide v30 = v28 + w1 * (m3 * (inverse1 * -v27));
+    const wide v31 = v2 * T14 - v1 * T24;
+    const wide v32 = w1 * (T13 * T14 + T23 * T24);
+    const wide v33 = m3 * (v11 * (w1 * T34));
+    const wide C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33;
+    const wide C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33;
+    const double v34 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const wide v35 = v29 * v29 + C3_p * C3_p;
+    const wide v36 = v30 * v30 + C3_m * C3_m;
+    const wide factor3_p = v34 / sqrt_wide(v35);
+    const wide factor3_m = v34 / sqrt_wide(v36);
     const wide c3_p = C3_p * factor3_p;
     const wide c3_m = C3_m * factor3_m;
-    const wide v31 = v25 * factor3_p;
-    const wide v32 = v26 * factor3_m;
-    const wide angle1_ = atan2_wide(-v31, c3_p);
-    const wide angle1__ = atan2_wide(-v32, c3_m);
+    const wide v37 = v29 * factor3_p;
+    const wide v38 = v30 * factor3_m;
+    const wide angle1_ = atan2_wide(-v37, c3_p);
+    const wide angle1__ = atan2_wide(-v38, c3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v33 = c1_p * c2;
-    const wide v34 = c1_m * c2;
-    const wide v35 = 2.0 * v33;
-    const wide v36 = 2.0 * v34;
-    const wide v37 = c1_p * v14;
-    const wide v38 = c1_m * v14;
-    const wide v39 = sqrt2 * (v9 + v37);
-    const wide v40 = sqrt2 * (v10 - v38);
-    const wide v41 = k6 * c1_p;
-    const wide v42 = k6 * c1_m;
-    const wide v43 = k6 * v9;
-    const wide v44 = k6 * v10;
-    const wide v45 = v9 * c2;
-    const wide v46 = v10 * c2;
-    const wide v47 = 2.0 * v45;
-    const wide v48 = 2.0 * v46;
-    const wide v49 = v9 * v14;
-    const wide v50 = v10 * v14;
-    const wide v51 = sqrt2 * (c1_p - v49);
-    const wide v52 = sqrt2 * (c1_m + v50);
-    const wide v53 = v14 * 2.0;
-    const wide v54 = sqrt2 * c2;
-    const wide v55 = sqrt2 * (k6 * c2);
-    const wide v56 = 2.0 * (a3 * v14);
-    const wide v57 = a3 * v54;
-    const wide_mask v58 = abs_wide(T33 - k1 * v54) <= pose_slack;
-    const double v59 = sqrt(-1.0);
-    const wide v60 = pick_wide((abs_wide(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <=
-        pose_slack1) & (v58 & ((abs_wide(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_p * v54 - c34_p * v53)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v41 + v14 * v43) - (c3_p * (2.0 * (a3 * v45)) + v31 * (a3 * v51)))) <=
-        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v49))) <= pose_slack) & ((abs_wide(T22
-        - k1 * (c34_p * v51 + s34_p * v47)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v51 -
-        c34_p * v47)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v33)) - v31 * (a3
-        * v39) + sqrt2 * (v43 - v14 * v41))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v9 -
-        v37))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v35 + s34_p * v39)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v59));
-    const wide v61 = pick_wide((abs_wide(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <=
-        pose_slack1) & (v58 & ((abs_wide(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_m * v54 + c34_m * v53)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v42 - v14 * v44) - (c3_m * (2.0 * (a3 * v46)) + v32 * (a3 * v52)))) <=
-        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v50))) <= pose_slack) & ((abs_wide(T22
-        - k1 * (c34_m * v52 + s34_m * v48)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v52 -
-        c34_m * v48)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v34)) - v32 * (a3
-        * v40) + sqrt2 * (v44 + v14 * v42))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v10 +
-        v38))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v36 + s34_m * v40)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v59));
+    const wide v39 = c1_p * c2;
+    const wide v40 = c1_m * c2;
+    const wide v41 = 2.0 * v39;
+    const wide v42 = 2.0 * v40;
+    const wide v43 = c1_p * v12;
+    const wide v44 = c1_m * v12;
+    const wide v45 = sqrt2 * (v7 + v43);
+    const wide v46 = sqrt2 * (v8 - v44);
+    const wide v47 = k6 * c1_p;
+    const wide v48 = k6 * c1_m;
+    const wide v49 = k6 * v7;
+    const wide v50 = k6 * v8;
+    const wide v51 = v7 * c2;
+    const wide v52 = v8 * c2;
+    const wide v53 = 2.0 * v51;
+    const wide v54 = 2.0 * v52;
+    const wide v55 = v7 * v12;
+    const wide v56 = v8 * v12;
+    const wide v57 = sqrt2 * (c1_p - v55);
+    const wide v58 = sqrt2 * (c1_m + v56);
+    const wide v59 = v12 * 2.0;
+    const wide v60 = sqrt2 * c2;
+    const wide v61 = sqrt2 * (k6 * c2);
+    const wide v62 = 2.0 * (a3 * v12);
+    const wide v63 = a3 * v60;
+    const wide_mask v64 = abs_wide(T33 - k1 * v60) <= pose_slack;
+    const double v65 = sqrt(-1.0);
+    const wide v66 = pick_wide((abs_wide(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <=
+        pose_slack1) & (v64 & ((abs_wide(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_p * v60 - c34_p * v59)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v47 + v12 * v49) - (c3_p * (2.0 * (a3 * v51)) + v37 * (a3 * v57)))) <=
+        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v55))) <= pose_slack) & ((abs_wide(T22
+        - k1 * (c34_p * v57 + s34_p * v53)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v57 -
+        c34_p * v53)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v39)) - v37 * (a3
+        * v45) + sqrt2 * (v49 - v12 * v47))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v7 -
+        v43))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v41 + s34_p * v45)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v65));
+    const wide v67 = pick_wide((abs_wide(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <=
+        pose_slack1) & (v64 & ((abs_wide(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack) &
+        ((abs_wide(T31 + k1 * (s34_m * v60 + c34_m * v59)) <= pose_slack) & ((abs_wide(T24 - k1 *
+        (sqrt2 * (v48 - v12 * v50) - (c3_m * (2.0 * (a3 * v52)) + v38 * (a3 * v58)))) <=
+        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v56))) <= pose_slack) & ((abs_wide(T22
+        - k1 * (c34_m * v58 + s34_m * v54)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v58 -
+        c34_m * v54)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v40)) - v38 * (a3
+        * v46) + sqrt2 * (v50 + v12 * v48))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v8 +
+        v44))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v42 + s34_m * v46)) <= pose_slack) &
+        (abs_wide(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v65));
 
     /* joint values */
-    const wide angle1___ = atan2_wide(v15, v17);
-    const wide v62 = angle1___ - angle1_;
-    const wide angle1____ = atan2_wide(v16, v18);
-    const wide v63 = angle1____ - angle1__;
-    const wide_mask free3__p = (v19 <= m1) | (v29 <= m2);
-    const wide_mask free3__m = (v20 <= m1) | (v30 <= m2);
-    const wide angle1_____ = atan2_wide(-v7, v4);
-    const wide q1_p = v60 + angle1_____;
-    const wide angle1______ = atan2_wide(-v8, v5);
-    const wide q1_m = v61 + angle1______;
-    const wide q2_p = angle1 + v60;
-    const wide q2_m = v61 - angle1;
-    const wide q3_p = angle1_ + v60;
-    const wide q3_m = angle1__ + v61;
-    const wide q4_p = v60 + (v62 - pick_wide(half_turn < v62, all_wide(m3), all_wide(0.0)) +
-        pick_wide(v62 <= -half_turn, all_wide(m3), all_wide(0.0)));
-    const wide q4_m = v61 + (v63 - pick_wide(half_turn < v63, all_wide(m3), all_wide(0.0)) +
-        pick_wide(v63 <= -half_turn, all_wide(m3), all_wide(0.0)));
-    const wide_mask doubt = (free3__m | free3__m) | (((v12 <= m1) | (free1 | ((-k4 <= D1) & (free1 |
-        ((k5 < D1) == 0))))) | (free3__p | free3__p));
+    const wide angle1___ = atan2_wide(v15, v19);
+    const wide v68 = angle1___ - angle1_;
+    const wide angle1____ = atan2_wide(v16, v20);
+    const wide v69 = angle1____ - angle1__;
+    const wide angle1_____ = atan2_wide(-v7, c1_p);
+    const wide q1_p = v66 + angle1_____;
+    const wide angle1______ = atan2_wide(-v8, c1_m);
+    const wide q1_m = v67 + angle1______;
+    const wide q2_p = angle1 + v66;
+    const wide q2_m = v67 - angle1;
+    const wide q3_p = angle1_ + v66;
+    const wide q3_m = angle1__ + v67;
+    const wide q4_p = v66 + (v68 - pick_wide(half_turn < v68, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide q4_m = v67 + (v69 - pick_wide(half_turn < v69, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v36 <= m5) |
+        ((v22 <= m1) | ((v35 <= m5) | ((v21 <= m1) | (v10 <= m1))))));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -526,73 +626,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
@@ -610,134 +647,103 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double inverse1 = 1.0 / N1;
     const double v1 = k2 * T13;
     const double v2 = k2 * T23;
-    const double v3 = T13 * w1;
-    const four v4 = v2 - e1 * v3;
-    const four c1 = inverse1 * v4;
-    const double v5 = T23 * w1;
-    const four v6 = v1 + e1 * v5;
-    const four v7 = inverse1 * v6;
+    const double v3 = inverse1 * v2;
+    const four c1 = v3 - w1 * (inverse1 * (e1 * T13));
+    const double v4 = inverse1 * v1;
+    const four v5 = v4 + w1 * (inverse1 * (e1 * T23));
 
     /* theta2 */
     const double S2 = k2 * w1;
-    const double v8 = k2 * T33;
-    const double v9 = v8 * v8 + S2 * S2;
-    const double v10 = 1.0 / sqrt(v9);
-    const double c2 = v8 * v10;
-    const double v11 = S2 * v10;
+    const double v6 = k2 * T33;
+    const double v7 = v6 * v6 + S2 * S2;
+    const double v8 = 1.0 / sqrt(v7);
+    const double c2 = v6 * v8;
+    const double v9 = S2 * v8;
 
     /* theta34 */
-    const four v12 = k2 * (c1 * T21 + v7 * T11);
-    const four v13 = k2 * (c1 * T22 + v7 * T12);
-    const four v14 = v12 * v12 + v13 * v13;
-    const four v15 = 1.0 / sqrt_four(v14);
-    const four c34 = v13 * v15;
-    const four s34 = v12 * v15;
+    const double v10 = T23 * T11 - T13 * T21;
+    const double v11 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const four v12 = v11 + w1 * (m2 * (inverse1 * (e1 * v10)));
+    const double v13 = T23 * T12 - T13 * T22;
+    const double v14 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const four v15 = v14 + w1 * (m2 * (inverse1 * (e1 * v13)));
+    const four v16 = v12 * v12 + v15 * v15;
+    const four v17 = 1.0 / sqrt_four(v16);
+    const four c34 = v15 * v17;
+    const four s34 = v12 * v17;
 
     /* theta3 */
-    const double v16 = 2.0 * T24;
-    const double v17 = 2.0 * T14;
-    const four v18 = a3 * (k1 * (k7 - (v7 * v17 + c1 * v16)));
-    const double v19 = v11 * T34;
-    const four C3 = k2 * (c2 * (c1 * T14 - v7 * T24) + e1 * v19);
-    const double v20 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const four v21 = v18 * v18 + C3 * C3;
-    const four factor3 = v20 / sqrt_four(v21);
+    const double v18 = 2.0 * T24;
+    const double v19 = 2.0 * T14;
+    const double v20 = T13 * v18 - T23 * v19;
+    const double v21 = m4 - m3 * (inverse1 * (v1 * v19 + v2 * v18));
+    const four v22 = v21 + w1 * (m3 * (inverse1 * (e1 * v20)));
+    const double v23 = T13 * T14 + T23 * T24;
+    const double v24 = v2 * T14 - v1 * T24;
+    const four C3 = c2 * (m2 * (inverse1 * (v24 - w1 * (e1 * v23)))) + m3 * (v8 * (w1 * (e1 *
+        T34)));
+    const double v25 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const four v26 = v22 * v22 + C3 * C3;
+    const four factor3 = v25 / sqrt_four(v26);
     const four c3 = C3 * factor3;
-    const four v22 = v18 * factor3;
+    const four v27 = v22 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v23 = c1 * c2;
-    const four v24 = 2.0 * v23;
-    const four v25 = e1 * (c1 * v11);
-    const four v26 = sqrt2 * (v7 + v25);
-    const four v27 = k6 * c1;
-    const four v28 = k6 * v7;
-    const four v29 = v7 * c2;
-    const four v30 = 2.0 * v29;
-    const four v31 = e1 * (v7 * v11);
-    const four v32 = sqrt2 * (c1 - v31);
-    const double v33 = v11 * 2.0;
-    const double v34 = sqrt2 * c2;
-    const double v35 = sqrt2 * (k6 * c2);
-    const double v36 = 2.0 * (a3 * v11);
-    const double v37 = a3 * v34;
-    const int v38 = fabs(T33 - k1 * v34) <= pose_slack;
-    const double v39 = sqrt(-1.0);
-    const four v40 = pick_four((abs_four(T34 - k1 * (v35 + (v22 * v37 + e1 * (c3 * v36)))) <=
-        pose_slack1) & ((all_four(v38 ? 1.0 : 0.0) > 0.0) & ((abs_four(T32 + k1 * (c34 * v34 + e1 *
-        (s34 * v33))) <= pose_slack) & ((abs_four(T31 + k1 * (s34 * v34 - e1 * (c34 * v33))) <=
-        pose_slack) & ((abs_four(T24 - k1 * (sqrt2 * (v27 + e1 * (v11 * v28)) - (c3 * (2.0 * (a3 *
-        v29)) + v22 * (a3 * v32)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v31))) <=
-        pose_slack) & ((abs_four(T22 - k1 * (c34 * v32 + s34 * v30)) <= pose_slack) & ((abs_four(T21
-        - k1 * (s34 * v32 - c34 * v30)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 *
-        v23)) - v22 * (a3 * v26) + sqrt2 * (v28 - e1 * (v11 * v27)))) <= pose_slack1) &
-        ((abs_four(T13 - k1 * (sqrt2 * (v7 - v25))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 *
-        v24 + s34 * v26)) <= pose_slack) & (abs_four(T12 + k1 * (s34 * v24 - c34 * v26)) <=
-        pose_slack))))))))))), all_four(0.0), all_four(v39));
+    const four v28 = c1 * c2;
+    const four v29 = 2.0 * v28;
+    const four v30 = e1 * (c1 * v9);
+    const four v31 = sqrt2 * (v5 + v30);
+    const four v32 = k6 * c1;
+    const four v33 = k6 * v5;
+    const four v34 = v5 * c2;
+    const four v35 = 2.0 * v34;
+    const four v36 = e1 * (v5 * v9);
+    const four v37 = sqrt2 * (c1 - v36);
+    const double v38 = v9 * 2.0;
+    const double v39 = sqrt2 * c2;
+    const double v40 = sqrt2 * (k6 * c2);
+    const double v41 = 2.0 * (a3 * v9);
+    const double v42 = a3 * v39;
+    const int v43 = fabs(T33 - k1 * v39) <= pose_slack;
+    const double v44 = sqrt(-1.0);
+    const four v45 = pick_four((abs_four(T34 - k1 * (v40 + (v27 * v42 + e1 * (c3 * v41)))) <=
+        pose_slack1) & (where_four(v43) & ((abs_four(T32 + k1 * (c34 * v39 + e1 * (s34 * v38))) <=
+        pose_slack) & ((abs_four(T31 + k1 * (s34 * v39 - e1 * (c34 * v38))) <= pose_slack) &
+        ((abs_four(T24 - k1 * (sqrt2 * (v32 + e1 * (v9 * v33)) - (c3 * (2.0 * (a3 * v34)) + v27 *
+        (a3 * v37)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v36))) <= pose_slack) &
+        ((abs_four(T22 - k1 * (c34 * v37 + s34 * v35)) <= pose_slack) & ((abs_four(T21 - k1 * (s34 *
+        v37 - c34 * v35)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 * v28)) - v27 *
+        (a3 * v31) + sqrt2 * (v33 - e1 * (v9 * v32)))) <= pose_slack1) & ((abs_four(T13 - k1 *
+        (sqrt2 * (v5 - v30))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 * v29 + s34 * v31)) <=
+        pose_slack) & (abs_four(T12 + k1 * (s34 * v29 - c34 * v31)) <= pose_slack))))))))))),
+        all_four(0.0), all_four(v44));
 
     /* joint values */
-    const four_mask free3_ = (v14 <= m1) | (v21 <= m2);
-    const int doubt1 = (v9 <= m1) | (free1 | ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free3_ | free3_);
+    const four_mask doubt2 = (v16 <= m1) | (v26 <= m5);
+    const int doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | (v7 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v22, v12, 0, 1, 6, 7),
-        __builtin_shufflevector(c3, v13, 0, 1, 6, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(-v27, v12, 0, 1, 6, 7),
+        __builtin_shufflevector(c3, v15, 0, 1, 6, 7));
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(-v6, all_four(-S2), 0, 1, 6, 3),
-        __builtin_shufflevector(v4, all_four(v8), 0, 1, 6, 3));
+    const four packed2 = atan2_four(__builtin_shufflevector(-v5, all_four(-S2), 0, 1, 6, 3),
+        __builtin_shufflevector(c1, all_four(v6), 0, 1, 6, 3));
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v41 = angle1__ - angle1_;
-    const four q1 = v40 + angle1___;
-    const four q2 = v40 + e1 * angle1;
-    const four q3 = angle1_ + v40;
-    const four q4 = v40 + (v41 - pick_four(half_turn < v41, all_four(m3), all_four(0.0)) +
-        pick_four(v41 <= -half_turn, all_four(m3), all_four(0.0)));
+    const four v46 = angle1__ - angle1_;
+    const four q1 = v45 + angle1___;
+    const four q2 = v45 + e1 * angle1;
+    const four q3 = angle1_ + v45;
+    const four q4 = v45 + (v46 - pick_four(half_turn < v46, all_four(m6), all_four(0.0)) +
+        pick_four(v46 <= -half_turn, all_four(m6), all_four(0.0)));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * CRAIG_417_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

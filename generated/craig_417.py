@@ -65,8 +65,11 @@ f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 8.099999999999999e-47  # free_limit_squared2^2 [m^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 0.7071067811865476  # a coefficient of v6
+m3 = 0.5  # a coefficient of v12
+m4 = 1.4142135623730951  # a coefficient of v12
+m5 = 8.099999999999999e-47  # free_limit_squared2^2 [m^4]
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -424,135 +427,138 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v1 = k2 * T13
     v2 = k2 * T23
-    v3 = T13 * w1
-    v4 = v2 - v3
-    v5 = v2 + v3
-    c1_p = inverse1 * v4
-    c1_m = inverse1 * v5
-    v6 = T23 * w1
-    v7 = v1 + v6
-    v8 = v1 - v6
-    v9 = inverse1 * v7
-    v10 = inverse1 * v8
+    v3 = inverse1 * v2
+    v4 = w1 * (T13 * inverse1)
+    c1_p = v3 - v4
+    c1_m = v3 + v4
+    v5 = inverse1 * v1
+    v6 = w1 * (T23 * inverse1)
+    v7 = v5 + v6
+    v8 = v5 - v6
 
     # theta2, type 3: U1[3, 3] and U1[1, 3]
     S2 = k2 * w1
-    v11 = k2 * T33
-    v12 = v11 * v11 + S2 * S2
-    v13 = 1.0 / math.sqrt(v12)
-    c2 = v11 * v13
-    v14 = S2 * v13
-    angle1 = _atan2(-S2, v11)
+    v9 = k2 * T33
+    v10 = v9 * v9 + S2 * S2
+    v11 = 1.0 / math.sqrt(v10)
+    c2 = v9 * v11
+    v12 = S2 * v11
+    angle1 = _atan2(-S2, v9)
 
     # theta34, type 3: U1[2, 2] and U1[2, 1]
-    v15 = k2 * (c1_p * T21 + v9 * T11)
-    v16 = k2 * (c1_m * T21 + v10 * T11)
-    v17 = k2 * (c1_p * T22 + v9 * T12)
-    v18 = k2 * (c1_m * T22 + v10 * T12)
-    v19 = v15 * v15 + v17 * v17
-    v20 = v16 * v16 + v18 * v18
-    v21 = 1.0 / math.sqrt(v19)
-    v22 = 1.0 / math.sqrt(v20)
-    c34_p = v17 * v21
-    c34_m = v18 * v22
-    s34_p = v15 * v21
-    s34_m = v16 * v22
+    v13 = T23 * T11 - T13 * T21
+    v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+    v15 = v14 + w1 * (m2 * (inverse1 * v13))
+    v16 = v14 + w1 * (m2 * (inverse1 * -v13))
+    v17 = T23 * T12 - T13 * T22
+    v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+    v19 = v18 + w1 * (m2 * (inverse1 * v17))
+    v20 = v18 + w1 * (m2 * (inverse1 * -v17))
+    v21 = v15 * v15 + v19 * v19
+    v22 = v16 * v16 + v20 * v20
+    v23 = 1.0 / math.sqrt(v21)
+    v24 = 1.0 / math.sqrt(v22)
+    c34_p = v19 * v23
+    c34_m = v20 * v24
+    s34_p = v15 * v23
+    s34_m = v16 * v24
 
     # theta3, type 3: U2[3, 4] and U2[1, 4]
-    v23 = 2.0 * T24
-    v24 = 2.0 * T14
-    v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)))
-    v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)))
-    v27 = v14 * T34
-    C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24))
-    C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27)
-    v28 = -1.0 if k2 < 0.0 else 1.0
-    v29 = v25 * v25 + C3_p * C3_p
-    v30 = v26 * v26 + C3_m * C3_m
-    factor3_p = v28 / math.sqrt(v29)
-    factor3_m = v28 / math.sqrt(v30)
+    v25 = 2.0 * T24
+    v26 = 2.0 * T14
+    v27 = T13 * v25 - T23 * v26
+    v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25))
+    v29 = v28 + w1 * (m3 * (inverse1 * v27))
+    v30 = v28 + w1 * (m3 * (inverse1 * -v27))
+    v31 = v2 * T14 - v1 * T24
+    v32 = w1 * (T13 * T14 + T23 * T24)
+    v33 = m3 * (v11 * (w1 * T34))
+    C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33
+    C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33
+    v34 = -1.0 if k2 < 0.0 else 1.0
+    v35 = v29 * v29 + C3_p * C3_p
+    v36 = v30 * v30 + C3_m * C3_m
+    factor3_p = v34 / math.sqrt(v35)
+    factor3_m = v34 / math.sqrt(v36)
     c3_p = C3_p * factor3_p
     c3_m = C3_m * factor3_m
-    v31 = v25 * factor3_p
-    v32 = v26 * factor3_m
-    angle1_ = _atan2(-v31, c3_p)
-    angle1__ = _atan2(-v32, c3_m)
+    v37 = v29 * factor3_p
+    v38 = v30 * factor3_m
+    angle1_ = _atan2(-v37, c3_p)
+    angle1__ = _atan2(-v38, c3_m)
 
     # is the pose one that the arm can take?
-    v33 = c1_p * c2
-    v34 = c1_m * c2
-    v35 = 2.0 * v33
-    v36 = 2.0 * v34
-    v37 = c1_p * v14
-    v38 = c1_m * v14
-    v39 = sqrt2 * (v9 + v37)
-    v40 = sqrt2 * (v10 - v38)
-    v41 = k6 * c1_p
-    v42 = k6 * c1_m
-    v43 = k6 * v9
-    v44 = k6 * v10
-    v45 = v9 * c2
-    v46 = v10 * c2
-    v47 = 2.0 * v45
-    v48 = 2.0 * v46
-    v49 = v9 * v14
-    v50 = v10 * v14
-    v51 = sqrt2 * (c1_p - v49)
-    v52 = sqrt2 * (c1_m + v50)
-    v53 = v14 * 2.0
-    v54 = sqrt2 * c2
-    v55 = sqrt2 * (k6 * c2)
-    v56 = 2.0 * (a3 * v14)
-    v57 = a3 * v54
-    v58 = abs(T33 - k1 * v54) <= pose_slack
-    v59 = math.sqrt(-1.0)
-    v60 = (
-        0.0 if (abs(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <= pose_slack1 and (v58 and
-        (abs(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack and (abs(T31 + k1 * (s34_p * v54
-        - c34_p * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v41 + v14 * v43) - (c3_p * (2.0
-        * (a3 * v45)) + v31 * (a3 * v51)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_p +
-        v49))) <= pose_slack and (abs(T22 - k1 * (c34_p * v51 + s34_p * v47)) <= pose_slack and
-        (abs(T21 - k1 * (s34_p * v51 - c34_p * v47)) <= pose_slack and (abs(T14 - k1 * (c3_p * (2.0
-        * (a3 * v33)) - v31 * (a3 * v39) + sqrt2 * (v43 - v14 * v41))) <= pose_slack1 and (abs(T13 -
-        k1 * (sqrt2 * (v9 - v37))) <= pose_slack and (abs(T11 - k1 * (c34_p * v35 + s34_p * v39)) <=
-        pose_slack and abs(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))) else v59
+    v39 = c1_p * c2
+    v40 = c1_m * c2
+    v41 = 2.0 * v39
+    v42 = 2.0 * v40
+    v43 = c1_p * v12
+    v44 = c1_m * v12
+    v45 = sqrt2 * (v7 + v43)
+    v46 = sqrt2 * (v8 - v44)
+    v47 = k6 * c1_p
+    v48 = k6 * c1_m
+    v49 = k6 * v7
+    v50 = k6 * v8
+    v51 = v7 * c2
+    v52 = v8 * c2
+    v53 = 2.0 * v51
+    v54 = 2.0 * v52
+    v55 = v7 * v12
+    v56 = v8 * v12
+    v57 = sqrt2 * (c1_p - v55)
+    v58 = sqrt2 * (c1_m + v56)
+    v59 = v12 * 2.0
+    v60 = sqrt2 * c2
+    v61 = sqrt2 * (k6 * c2)
+    v62 = 2.0 * (a3 * v12)
+    v63 = a3 * v60
+    v64 = abs(T33 - k1 * v60) <= pose_slack
+    v65 = math.sqrt(-1.0)
+    v66 = (
+        0.0 if (abs(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <= pose_slack1 and (v64 and
+        (abs(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack and (abs(T31 + k1 * (s34_p * v60
+        - c34_p * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v47 + v12 * v49) - (c3_p * (2.0
+        * (a3 * v51)) + v37 * (a3 * v57)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_p +
+        v55))) <= pose_slack and (abs(T22 - k1 * (c34_p * v57 + s34_p * v53)) <= pose_slack and
+        (abs(T21 - k1 * (s34_p * v57 - c34_p * v53)) <= pose_slack and (abs(T14 - k1 * (c3_p * (2.0
+        * (a3 * v39)) - v37 * (a3 * v45) + sqrt2 * (v49 - v12 * v47))) <= pose_slack1 and (abs(T13 -
+        k1 * (sqrt2 * (v7 - v43))) <= pose_slack and (abs(T11 - k1 * (c34_p * v41 + s34_p * v45)) <=
+        pose_slack and abs(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))) else v65
     )
-    v61 = (
-        0.0 if (abs(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <= pose_slack1 and (v58 and
-        (abs(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack and (abs(T31 + k1 * (s34_m * v54
-        + c34_m * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v42 - v14 * v44) - (c3_m * (2.0
-        * (a3 * v46)) + v32 * (a3 * v52)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_m -
-        v50))) <= pose_slack and (abs(T22 - k1 * (c34_m * v52 + s34_m * v48)) <= pose_slack and
-        (abs(T21 - k1 * (s34_m * v52 - c34_m * v48)) <= pose_slack and (abs(T14 - k1 * (c3_m * (2.0
-        * (a3 * v34)) - v32 * (a3 * v40) + sqrt2 * (v44 + v14 * v42))) <= pose_slack1 and (abs(T13 -
-        k1 * (sqrt2 * (v10 + v38))) <= pose_slack and (abs(T11 - k1 * (c34_m * v36 + s34_m * v40))
-        <= pose_slack and abs(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))) else
-        v59
+    v67 = (
+        0.0 if (abs(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <= pose_slack1 and (v64 and
+        (abs(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack and (abs(T31 + k1 * (s34_m * v60
+        + c34_m * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v48 - v12 * v50) - (c3_m * (2.0
+        * (a3 * v52)) + v38 * (a3 * v58)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_m -
+        v56))) <= pose_slack and (abs(T22 - k1 * (c34_m * v58 + s34_m * v54)) <= pose_slack and
+        (abs(T21 - k1 * (s34_m * v58 - c34_m * v54)) <= pose_slack and (abs(T14 - k1 * (c3_m * (2.0
+        * (a3 * v40)) - v38 * (a3 * v46) + sqrt2 * (v50 + v12 * v48))) <= pose_slack1 and (abs(T13 -
+        k1 * (sqrt2 * (v8 + v44))) <= pose_slack and (abs(T11 - k1 * (c34_m * v42 + s34_m * v46)) <=
+        pose_slack and abs(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))) else v65
     )
 
     # joint values
-    angle1___ = _atan2(v15, v17)
-    v62 = angle1___ - angle1_
-    angle1____ = _atan2(v16, v18)
-    v63 = angle1____ - angle1__
-    free3__p = v19 <= m1 or v29 <= m2
-    free3__m = v20 <= m1 or v30 <= m2
-    angle1_____ = _atan2(-v7, v4)
-    q1_p = v60 + angle1_____
-    angle1______ = _atan2(-v8, v5)
-    q1_m = v61 + angle1______
-    q2_p = angle1 + v60
-    q2_m = v61 - angle1
-    q3_p = angle1_ + v60
-    q3_m = angle1__ + v61
-    q4_p = v60 + (v62 - (m3 if half_turn < v62 else 0.0) + (m3 if v62 <= -half_turn else 0.0))
-    q4_m = v61 + (v63 - (m3 if half_turn < v63 else 0.0) + (m3 if v63 <= -half_turn else 0.0))
-    doubt = (
-        free3__m or free3__m or (v12 <= m1 or (free1 or -k4 <= D1 and (free1 or not (k5 < D1))) or
-        (free3__p or free3__p))
+    angle1___ = _atan2(v15, v19)
+    v68 = angle1___ - angle1_
+    angle1____ = _atan2(v16, v20)
+    v69 = angle1____ - angle1__
+    angle1_____ = _atan2(-v7, c1_p)
+    q1_p = v66 + angle1_____
+    angle1______ = _atan2(-v8, c1_m)
+    q1_m = v67 + angle1______
+    q2_p = angle1 + v66
+    q2_m = v67 - angle1
+    q3_p = angle1_ + v66
+    q3_m = angle1__ + v67
+    q4_p = v66 + (v68 - (m6 if half_turn < v68 else 0.0) + (m6 if v68 <= -half_turn else 0.0))
+    q4_m = v67 + (v69 - (m6 if half_turn < v69 else 0.0) + (m6 if v69 <= -half_turn else 0.0))
+    doubt1 = (
+        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v36 <= m5 or (v22 <= m1 or (v35 <= m5
+        or (v21 <= m1 or v10 <= m1)))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -749,130 +755,134 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v1 = k2 * T13
             v2 = k2 * T23
-            v3 = T13 * w1
-            v4 = v2 - v3
-            v5 = v2 + v3
-            c1_p = inverse1 * v4
-            c1_m = inverse1 * v5
-            v6 = T23 * w1
-            v7 = v1 + v6
-            v8 = v1 - v6
-            v9 = inverse1 * v7
-            v10 = inverse1 * v8
+            v3 = inverse1 * v2
+            v4 = w1 * (T13 * inverse1)
+            c1_p = v3 - v4
+            c1_m = v3 + v4
+            v5 = inverse1 * v1
+            v6 = w1 * (T23 * inverse1)
+            v7 = v5 + v6
+            v8 = v5 - v6
             S2 = k2 * w1
-            v11 = k2 * T33
-            v12 = v11 * v11 + S2 * S2
-            v13 = 1.0 / math.sqrt(v12)
-            c2 = v11 * v13
-            v14 = S2 * v13
-            v15 = k2 * (c1_p * T21 + v9 * T11)
-            v16 = k2 * (c1_m * T21 + v10 * T11)
-            v17 = k2 * (c1_p * T22 + v9 * T12)
-            v18 = k2 * (c1_m * T22 + v10 * T12)
-            v19 = v15 * v15 + v17 * v17
-            v20 = v16 * v16 + v18 * v18
-            v21 = 1.0 / math.sqrt(v19)
-            v22 = 1.0 / math.sqrt(v20)
-            c34_p = v17 * v21
-            c34_m = v18 * v22
-            s34_p = v15 * v21
-            s34_m = v16 * v22
-            v23 = 2.0 * T24
-            v24 = 2.0 * T14
-            v25 = a3 * (k1 * (k7 - (v9 * v24 + c1_p * v23)))
-            v26 = a3 * (k1 * (k7 - (v10 * v24 + c1_m * v23)))
-            v27 = v14 * T34
-            C3_p = k2 * (v27 + c2 * (c1_p * T14 - v9 * T24))
-            C3_m = k2 * (c2 * (c1_m * T14 - v10 * T24) - v27)
-            v28 = -1.0 if k2 < 0.0 else 1.0
-            v29 = v25 * v25 + C3_p * C3_p
-            v30 = v26 * v26 + C3_m * C3_m
-            factor3_p = v28 / math.sqrt(v29)
-            factor3_m = v28 / math.sqrt(v30)
+            v9 = k2 * T33
+            v10 = v9 * v9 + S2 * S2
+            v11 = 1.0 / math.sqrt(v10)
+            c2 = v9 * v11
+            v12 = S2 * v11
+            v13 = T23 * T11 - T13 * T21
+            v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+            v15 = v14 + w1 * (m2 * (inverse1 * v13))
+            v16 = v14 + w1 * (m2 * (inverse1 * -v13))
+            v17 = T23 * T12 - T13 * T22
+            v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+            v19 = v18 + w1 * (m2 * (inverse1 * v17))
+            v20 = v18 + w1 * (m2 * (inverse1 * -v17))
+            v21 = v15 * v15 + v19 * v19
+            v22 = v16 * v16 + v20 * v20
+            v23 = 1.0 / math.sqrt(v21)
+            v24 = 1.0 / math.sqrt(v22)
+            c34_p = v19 * v23
+            c34_m = v20 * v24
+            s34_p = v15 * v23
+            s34_m = v16 * v24
+            v25 = 2.0 * T24
+            v26 = 2.0 * T14
+            v27 = T13 * v25 - T23 * v26
+            v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25))
+            v29 = v28 + w1 * (m3 * (inverse1 * v27))
+            v30 = v28 + w1 * (m3 * (inverse1 * -v27))
+            v31 = v2 * T14 - v1 * T24
+            v32 = w1 * (T13 * T14 + T23 * T24)
+            v33 = m3 * (v11 * (w1 * T34))
+            C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33
+            C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33
+            v34 = -1.0 if k2 < 0.0 else 1.0
+            v35 = v29 * v29 + C3_p * C3_p
+            v36 = v30 * v30 + C3_m * C3_m
+            factor3_p = v34 / math.sqrt(v35)
+            factor3_m = v34 / math.sqrt(v36)
             c3_p = C3_p * factor3_p
             c3_m = C3_m * factor3_m
-            v31 = v25 * factor3_p
-            v32 = v26 * factor3_m
-            v33 = c1_p * c2
-            v34 = c1_m * c2
-            v35 = 2.0 * v33
-            v36 = 2.0 * v34
-            v37 = c1_p * v14
-            v38 = c1_m * v14
-            v39 = sqrt2 * (v9 + v37)
-            v40 = sqrt2 * (v10 - v38)
-            v41 = k6 * c1_p
-            v42 = k6 * c1_m
-            v43 = k6 * v9
-            v44 = k6 * v10
-            v45 = v9 * c2
-            v46 = v10 * c2
-            v47 = 2.0 * v45
-            v48 = 2.0 * v46
-            v49 = v9 * v14
-            v50 = v10 * v14
-            v51 = sqrt2 * (c1_p - v49)
-            v52 = sqrt2 * (c1_m + v50)
-            v53 = v14 * 2.0
-            v54 = sqrt2 * c2
-            v55 = sqrt2 * (k6 * c2)
-            v56 = 2.0 * (a3 * v14)
-            v57 = a3 * v54
-            v58 = abs(T33 - k1 * v54) <= pose_slack
-            v59 = math.sqrt(-1.0)
-            v60 = (
-                0.0 if (abs(T34 - k1 * (v55 + (v31 * v57 + c3_p * v56))) <= pose_slack1 and (v58 and
-                (abs(T32 + k1 * (c34_p * v54 + s34_p * v53)) <= pose_slack and (abs(T31 + k1 *
-                (s34_p * v54 - c34_p * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v41 + v14 *
-                v43) - (c3_p * (2.0 * (a3 * v45)) + v31 * (a3 * v51)))) <= pose_slack1 and (abs(T23
-                - k1 * (sqrt2 * (c1_p + v49))) <= pose_slack and (abs(T22 - k1 * (c34_p * v51 +
-                s34_p * v47)) <= pose_slack and (abs(T21 - k1 * (s34_p * v51 - c34_p * v47)) <=
-                pose_slack and (abs(T14 - k1 * (c3_p * (2.0 * (a3 * v33)) - v31 * (a3 * v39) + sqrt2
-                * (v43 - v14 * v41))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v9 - v37))) <=
-                pose_slack and (abs(T11 - k1 * (c34_p * v35 + s34_p * v39)) <= pose_slack and
-                abs(T12 + k1 * (s34_p * v35 - c34_p * v39)) <= pose_slack))))))))))) else v59
+            v37 = v29 * factor3_p
+            v38 = v30 * factor3_m
+            v39 = c1_p * c2
+            v40 = c1_m * c2
+            v41 = 2.0 * v39
+            v42 = 2.0 * v40
+            v43 = c1_p * v12
+            v44 = c1_m * v12
+            v45 = sqrt2 * (v7 + v43)
+            v46 = sqrt2 * (v8 - v44)
+            v47 = k6 * c1_p
+            v48 = k6 * c1_m
+            v49 = k6 * v7
+            v50 = k6 * v8
+            v51 = v7 * c2
+            v52 = v8 * c2
+            v53 = 2.0 * v51
+            v54 = 2.0 * v52
+            v55 = v7 * v12
+            v56 = v8 * v12
+            v57 = sqrt2 * (c1_p - v55)
+            v58 = sqrt2 * (c1_m + v56)
+            v59 = v12 * 2.0
+            v60 = sqrt2 * c2
+            v61 = sqrt2 * (k6 * c2)
+            v62 = 2.0 * (a3 * v12)
+            v63 = a3 * v60
+            v64 = abs(T33 - k1 * v60) <= pose_slack
+            v65 = math.sqrt(-1.0)
+            v66 = (
+                0.0 if (abs(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <= pose_slack1 and (v64 and
+                (abs(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack and (abs(T31 + k1 *
+                (s34_p * v60 - c34_p * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v47 + v12 *
+                v49) - (c3_p * (2.0 * (a3 * v51)) + v37 * (a3 * v57)))) <= pose_slack1 and (abs(T23
+                - k1 * (sqrt2 * (c1_p + v55))) <= pose_slack and (abs(T22 - k1 * (c34_p * v57 +
+                s34_p * v53)) <= pose_slack and (abs(T21 - k1 * (s34_p * v57 - c34_p * v53)) <=
+                pose_slack and (abs(T14 - k1 * (c3_p * (2.0 * (a3 * v39)) - v37 * (a3 * v45) + sqrt2
+                * (v49 - v12 * v47))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v7 - v43))) <=
+                pose_slack and (abs(T11 - k1 * (c34_p * v41 + s34_p * v45)) <= pose_slack and
+                abs(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))) else v65
             )
-            v61 = (
-                0.0 if (abs(T34 - k1 * (v55 + (v32 * v57 - c3_m * v56))) <= pose_slack1 and (v58 and
-                (abs(T32 + k1 * (c34_m * v54 - s34_m * v53)) <= pose_slack and (abs(T31 + k1 *
-                (s34_m * v54 + c34_m * v53)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v42 - v14 *
-                v44) - (c3_m * (2.0 * (a3 * v46)) + v32 * (a3 * v52)))) <= pose_slack1 and (abs(T23
-                - k1 * (sqrt2 * (c1_m - v50))) <= pose_slack and (abs(T22 - k1 * (c34_m * v52 +
-                s34_m * v48)) <= pose_slack and (abs(T21 - k1 * (s34_m * v52 - c34_m * v48)) <=
-                pose_slack and (abs(T14 - k1 * (c3_m * (2.0 * (a3 * v34)) - v32 * (a3 * v40) + sqrt2
-                * (v44 + v14 * v42))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v10 + v38))) <=
-                pose_slack and (abs(T11 - k1 * (c34_m * v36 + s34_m * v40)) <= pose_slack and
-                abs(T12 + k1 * (s34_m * v36 - c34_m * v40)) <= pose_slack))))))))))) else v59
+            v67 = (
+                0.0 if (abs(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <= pose_slack1 and (v64 and
+                (abs(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack and (abs(T31 + k1 *
+                (s34_m * v60 + c34_m * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v48 - v12 *
+                v50) - (c3_m * (2.0 * (a3 * v52)) + v38 * (a3 * v58)))) <= pose_slack1 and (abs(T23
+                - k1 * (sqrt2 * (c1_m - v56))) <= pose_slack and (abs(T22 - k1 * (c34_m * v58 +
+                s34_m * v54)) <= pose_slack and (abs(T21 - k1 * (s34_m * v58 - c34_m * v54)) <=
+                pose_slack and (abs(T14 - k1 * (c3_m * (2.0 * (a3 * v40)) - v38 * (a3 * v46) + sqrt2
+                * (v50 + v12 * v48))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v8 + v44))) <=
+                pose_slack and (abs(T11 - k1 * (c34_m * v42 + s34_m * v46)) <= pose_slack and
+                abs(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))) else v65
             )
-            free3__p = v19 <= m1 or v29 <= m2
-            free3__m = v20 <= m1 or v30 <= m2
-            doubt = (
-                free3__m or free3__m or (v12 <= m1 or (free1 or -k4 <= D1 and (free1 or not (k5 <
-                D1))) or (free3__p or free3__p))
+            doubt1 = (
+                -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v36 <= m5 or (v22 <= m1 or (v35
+                <= m5 or (v21 <= m1 or v10 <= m1)))))
             )
-            work[544 + k] = v60
-            work[576 + k] = v61
-            work[608 + k] = doubt
+            work[544 + k] = v66
+            work[576 + k] = v67
+            work[608 + k] = doubt1
             work[640 + k] = -S2
-            work[672 + k] = -v31
-            work[704 + k] = -v32
+            work[672 + k] = -v37
+            work[704 + k] = -v38
             work[736 + k] = v15
             work[768 + k] = v16
             work[800 + k] = -v7
             work[832 + k] = -v8
-            work[864 + k] = v11
+            work[864 + k] = v9
             work[896 + k] = c3_p
             work[928 + k] = c3_m
-            work[960 + k] = v17
-            work[992 + k] = v18
-            work[1024 + k] = v4
-            work[1056 + k] = v5
+            work[960 + k] = v19
+            work[992 + k] = v20
+            work[1024 + k] = c1_p
+            work[1056 + k] = c1_m
         for k in range(640, 864):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
-            v60 = work[544 + k]
-            v61 = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            v66 = work[544 + k]
+            v67 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             angle1__ = work[704 + k]
@@ -880,19 +890,19 @@ def _in_tiles(T, q, status):
             angle1____ = work[768 + k]
             angle1_____ = work[800 + k]
             angle1______ = work[832 + k]
-            v62 = angle1___ - angle1_
-            v63 = angle1____ - angle1__
-            q1_p = v60 + angle1_____
-            q1_m = v61 + angle1______
-            q2_p = angle1 + v60
-            q2_m = v61 - angle1
-            q3_p = angle1_ + v60
-            q3_m = angle1__ + v61
+            v68 = angle1___ - angle1_
+            v69 = angle1____ - angle1__
+            q1_p = v66 + angle1_____
+            q1_m = v67 + angle1______
+            q2_p = angle1 + v66
+            q2_m = v67 - angle1
+            q3_p = angle1_ + v66
+            q3_m = angle1__ + v67
             q4_p = (
-                v60 + (v62 - (m3 if half_turn < v62 else 0.0) + (m3 if v62 <= -half_turn else 0.0))
+                v66 + (v68 - (m6 if half_turn < v68 else 0.0) + (m6 if v68 <= -half_turn else 0.0))
             )
             q4_m = (
-                v61 + (v63 - (m3 if half_turn < v63 else 0.0) + (m3 if v63 <= -half_turn else 0.0))
+                v67 + (v69 - (m6 if half_turn < v69 else 0.0) + (m6 if v69 <= -half_turn else 0.0))
             )
             _1088 = q1_p
             work[1088 + k] = _1088
@@ -912,7 +922,7 @@ def _in_tiles(T, q, status):
             work[1312 + k] = _1312
             work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1376 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

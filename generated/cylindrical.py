@@ -266,7 +266,7 @@ def _regular(pose, q, status):
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     v1 = T21 * T21 + T11 * T11
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
     v2 = 1.0 / math.sqrt(v1)
     c1 = T11 * v2
     s1 = T21 * v2
@@ -289,7 +289,7 @@ def _regular(pose, q, status):
     q2 = r2 + v3
     q3 = r3 + v3
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1
     q[0, 1] = q2
@@ -476,7 +476,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             r2 = T34 - d1
             v1 = T21 * T21 + T11 * T11
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             v2 = 1.0 / math.sqrt(v1)
             c1 = T11 * v2
             s1 = T21 * v2
@@ -491,7 +491,7 @@ def _in_tiles(T, q, status):
             )
             q2 = r2 + v3
             q3 = r3 + v3
-            work[544 + k] = doubt
+            work[544 + k] = doubt1
             work[576 + k] = v3
             work[608 + k] = q2
             work[640 + k] = q3
@@ -500,7 +500,7 @@ def _in_tiles(T, q, status):
         for k in range(672, 704):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
-            doubt = work[544 + k] != 0.0
+            doubt1 = work[544 + k] != 0.0
             v3 = work[576 + k]
             q2 = work[608 + k]
             q3 = work[640 + k]
@@ -513,7 +513,7 @@ def _in_tiles(T, q, status):
             _800 = q3
             work[800 + k] = _800
             work[832 + k] = UNREACHABLE if _736 != _736 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

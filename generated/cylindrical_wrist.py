@@ -403,9 +403,9 @@ def _regular(pose, q, status):
     q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
 
     # joint values
-    doubt = v2 <= m1 or v3 <= m3
+    doubt1 = v2 <= m1 or v3 <= m3
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = q2_pp
@@ -632,13 +632,13 @@ def _in_tiles(T, q, status):
             v4 = X4 * factor4
             s4 = T33 * factor4
             v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
-            doubt = v2 <= m1 or v3 <= m3
+            doubt1 = v2 <= m1 or v3 <= m3
             work[544 + k] = q2_pp
             work[576 + k] = v1
             work[608 + k] = q3_pp
             work[640 + k] = w4
             work[672 + k] = v5
-            work[704 + k] = doubt
+            work[704 + k] = doubt1
             work[736 + k] = v1
             work[768 + k] = T33
             work[800 + k] = -w4
@@ -656,7 +656,7 @@ def _in_tiles(T, q, status):
             q3_pp = work[608 + k]
             w4 = work[640 + k]
             v5 = work[672 + k]
-            doubt = work[704 + k] != 0.0
+            doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
             angle1_ = work[768 + k]
             angle1__ = work[800 + k]
@@ -699,7 +699,7 @@ def _in_tiles(T, q, status):
             work[1504 + k] = UNREACHABLE if _992 != _992 else OK
             work[1536 + k] = UNREACHABLE if _1280 != _1280 else OK
             work[1568 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef DENSO_VS060_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DDENSO_VS060_SCALAR. With -DDENSO_VS060_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(DENSO_VS060_SCALAR) && !defined(DENSO_VS060_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef DENSO_VS060_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & DENSO_VS060_UNREACHABLE) \
+        | (~(none) & (outside) & DENSO_VS060_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)DENSO_VS060_UNREACHABLE \
+        : (outside) ? (int)DENSO_VS060_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.345; /* joint offset 1 [m] */
 static const double a2 = 0.305; /* link length 2 [m] */
 static const double a3 = 0.01; /* link length 3 [m] */
@@ -47,10 +349,15 @@ static const double high3 = 2.705260001; /* highest value of joint 3 */
 static const double low5 = -2.094395001; /* lowest value of joint 5 */
 static const double high5 = 2.094395001; /* highest value of joint 5 */
 static const double m1 = 1.0609e-24; /* free_limit1^2 [m^2] */
-static const double m2 = 1.1255088099999996e-48; /* free_limit_squared2^2 [m^4] */
-static const double m3 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m4 */
+static const double m2 = 0.18194719892287262; /* a coefficient of s3 */
+static const double m3 = 0.9995724240825312; /* a coefficient of s3 */
+static const double m4 = 5.458415967686178; /* a coefficient of s3 */
+static const double m5 = 0.03331908080275105; /* a coefficient of c3 */
+static const double m6 = 1.639344262295082; /* a coefficient of X1_2 */
+static const double m7 = 0.004795081967213119; /* a coefficient of X1_2 */
+static const double m8 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m9 */
 
 const char *const denso_vs060_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -59,12 +366,6 @@ const char *const denso_vs060_branches[8] = {
 
 static const double lowest[6] = { -2.96706, -2.094395, -2.181662, -4.712389, -2.094395, -6.283185 };
 static const double highest[6] = { 2.96706, 2.094395, 2.70526, 4.712389, 2.094395, 6.283185 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void denso_vs060_fk(const double q[6], double T[16])
 {
@@ -241,209 +542,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef DENSO_VS060_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DDENSO_VS060_SCALAR. With -DDENSO_VS060_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(DENSO_VS060_SCALAR) && !defined(DENSO_VS060_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef DENSO_VS060_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & DENSO_VS060_UNREACHABLE) \
-        | (~(none) & (outside) & DENSO_VS060_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)DENSO_VS060_UNREACHABLE \
-        : (outside) ? (int)DENSO_VS060_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -464,169 +562,153 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = v1 + Z1_3 * Z1_3;
-    const wide K3 = N3 - k3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v3 = w3 - w3;
-    const wide v4 = k1 * K3;
-    const wide v5 = k2 * w3;
-    const wide s3_p = k4 * (v5 - v4);
-    const wide v6 = k4 * (v4 + v5);
-    const wide v7 = k2 * K3;
-    const wide v8 = k1 * w3;
-    const wide c3_p = k4 * (v7 + v8);
-    const wide c3_m = k4 * (v7 - v8);
+    const wide v4 = m3 - m4 * N3;
+    const wide v5 = m2 * w3;
+    const wide s3_p = v4 + v5;
+    const wide s3_m = v4 - v5;
+    const wide v6 = m2 * N3 - m5;
+    const wide v7 = m4 * w3;
+    const wide c3_p = v6 + v7;
+    const wide c3_m = v6 - v7;
 
     /* theta2 */
-    const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v6);
-    const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v6;
-    const wide v9 = Z1_3 * X1_2_p;
-    const wide v10 = Z1_3 * X1_2_m;
-    const wide v11 = w1 * Y1_2_p;
-    const wide v12 = w1 * Y1_2_m;
-    const wide S2_pp = v9 - v11;
-    const wide S2_pm = v10 - v12;
-    const wide S2_mp = v9 + v11;
-    const wide S2_mm = v10 + v12;
-    const wide v13 = w1 * X1_2_p;
-    const wide v14 = w1 * X1_2_m;
-    const wide v15 = Z1_3 * Y1_2_p;
-    const wide v16 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v13 + v15;
-    const wide C2_pm = v14 + v16;
-    const wide C2_mp = v15 - v13;
-    const wide C2_mm = v16 - v14;
-    const wide v17 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v18 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v19 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v20 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v17);
-    const wide factor2_pm = 1.0 / sqrt_wide(v18);
-    const wide factor2_mp = 1.0 / sqrt_wide(v19);
-    const wide factor2_mm = 1.0 / sqrt_wide(v20);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide X1_2 = m7 + m6 * N3;
+    const wide v8 = Z1_3 * X1_2;
+    const wide v9 = w3 * (m6 * w1);
+    const wide S2_pp = v8 - v9;
+    const wide S2_pm = v8 + v9;
+    const wide v10 = w3 * (m6 * Z1_3);
+    const wide v11 = w3 * (m6 * -Z1_3);
+    const wide v12 = w1 * X1_2;
+    const wide C2_pp = v10 + v12;
+    const wide C2_pm = v11 + v12;
+    const wide C2_mp = v10 - v12;
+    const wide C2_mm = v11 - v12;
+    const wide factor2 = 1.0 / N3;
 
     /* theta4 */
-    const wide c23_pp = c3_p * c2_pp - s3_p * s2_pp;
-    const wide c23_pm = c3_m * c2_pm + v6 * s2_pm;
-    const wide c23_mp = c3_p * c2_mp - s3_p * s2_mp;
-    const wide c23_mm = c3_m * c2_mm + v6 * s2_mm;
-    const wide s23_pp = c3_p * s2_pp + s3_p * c2_pp;
-    const wide s23_pm = c3_m * s2_pm - v6 * c2_pm;
-    const wide s23_mp = c3_p * s2_mp + s3_p * c2_mp;
-    const wide s23_mm = c3_m * s2_mm - v6 * c2_mm;
-    const wide v21 = T23 * s1 - T13 * v2;
-    const wide c4_pp = T33 * s23_pp + c23_pp * v21;
-    const wide c4_pm = T33 * s23_pm + c23_pm * v21;
-    const wide c4_mp = T33 * s23_mp - c23_mp * v21;
-    const wide c4_mm = T33 * s23_mm - c23_mm * v21;
-    const wide v22 = T23 * v2 + T13 * s1;
-    const wide v23 = v22 * v22;
-    const wide v24 = v23 + c4_pp * c4_pp;
-    const wide v25 = v23 + c4_pm * c4_pm;
-    const wide v26 = v23 + c4_mp * c4_mp;
-    const wide v27 = v23 + c4_mm * c4_mm;
-    const wide angle1 = atan2_wide(-v22, c4_pp);
-    const wide angle1_ = atan2_wide(-v22, c4_pm);
-    const wide angle1__ = atan2_wide(v22, c4_mp);
-    const wide angle1___ = atan2_wide(v22, c4_mm);
-    const wide v28 = copysign_wide(all_wide(half_turn), -v22) * h1;
-    const wide v29 = copysign_wide(all_wide(half_turn), v22) * h1;
-    const wide q4_ppm = angle1 - v28;
-    const wide q4_pmm = angle1_ - v28;
-    const wide q4_mpm = angle1__ - v29;
-    const wide q4_mmm = angle1___ - v29;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
+    const wide c23_pm = c3_m * C2_pm - s3_m * S2_pm;
+    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm;
+    const wide c23_mm = c3_m * C2_mm - s3_m * S2_pp;
+    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp;
+    const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
+    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
+    const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
+    const wide v13 = T23 * s1 - T13 * v2;
+    const wide c4_pp = T33 * s23_pp + c23_pp * v13;
+    const wide c4_pm = T33 * s23_pm + c23_pm * v13;
+    const wide c4_mp = T33 * s23_mp - c23_mp * v13;
+    const wide c4_mm = T33 * s23_mm - c23_mm * v13;
+    const wide v14 = T23 * v2 + T13 * s1;
+    const wide v15 = v14 * v14;
+    const wide v16 = factor2 * c4_pp;
+    const wide v17 = factor2 * c4_pm;
+    const wide v18 = factor2 * c4_mp;
+    const wide v19 = factor2 * c4_mm;
+    const wide v20 = v15 + factor2 * (c4_pp * v16);
+    const wide v21 = v15 + factor2 * (c4_pm * v17);
+    const wide v22 = v15 + factor2 * (c4_mp * v18);
+    const wide v23 = v15 + factor2 * (c4_mm * v19);
+    const wide angle1 = atan2_wide(-v14, v16);
+    const wide angle1_ = atan2_wide(-v14, v17);
+    const wide angle1__ = atan2_wide(v14, v18);
+    const wide angle1___ = atan2_wide(v14, v19);
+    const wide v24 = copysign_wide(all_wide(half_turn), -v14) * h1;
+    const wide v25 = copysign_wide(all_wide(half_turn), v14) * h1;
+    const wide q4_ppm = angle1 - v24;
+    const wide q4_pmm = angle1_ - v24;
+    const wide q4_mpm = angle1__ - v25;
+    const wide q4_mmm = angle1___ - v25;
 
     /* theta6 */
-    const wide v30 = s1 * T12 + v2 * T22;
-    const wide v31 = s1 * T22 - v2 * T12;
-    const wide v32 = s1 * T11 + v2 * T21;
-    const wide v33 = s1 * T21 - v2 * T11;
-    const wide v34 = c4_pp * v32 - v22 * (s23_pp * T31 + c23_pp * v33);
-    const wide v35 = c4_pm * v32 - v22 * (s23_pm * T31 + c23_pm * v33);
-    const wide v36 = v22 * (s23_mp * T31 - c23_mp * v33) - c4_mp * v32;
-    const wide v37 = v22 * (s23_mm * T31 - c23_mm * v33) - c4_mm * v32;
-    const wide angle1____ = atan2_wide(v34, c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31));
-    const wide angle1_____ = atan2_wide(v35, c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31));
-    const wide angle1______ = atan2_wide(v36, v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30);
-    const wide angle1_______ = atan2_wide(v37, v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30);
-    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v34);
-    const wide q6_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v35);
-    const wide q6_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v36);
-    const wide q6_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v37);
+    const wide v26 = s1 * T12 + v2 * T22;
+    const wide v27 = s1 * T22 - v2 * T12;
+    const wide v28 = s1 * T11 + v2 * T21;
+    const wide v29 = s1 * T21 - v2 * T11;
+    const wide v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29);
+    const wide v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29);
+    const wide v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28;
+    const wide v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28;
+    const wide angle1____ = atan2_wide(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27));
+    const wide angle1_____ = atan2_wide(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27));
+    const wide angle1______ = atan2_wide(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26);
+    const wide angle1_______ = atan2_wide(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
+    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v30);
+    const wide q6_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v31);
+    const wide q6_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v32);
+    const wide q6_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v33);
 
     /* joint values */
     const wide angle1________ = atan2_wide(wy, -X1);
-    const wide v38 = angle1________ - offset1;
-    const wide v39 = angle1________ - h1 * copysign_wide(all_wide(half_turn), wy) - offset1;
-    const wide q1__p = v38 + pick_wide(v38 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q1__m = v39 + pick_wide(v39 <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide v34 = angle1________ - offset1;
+    const wide v35 = angle1________ - h1 * copysign_wide(all_wide(half_turn), wy) - offset1;
+    const wide q1__p = v34 + pick_wide(v34 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q1__m = v35 + pick_wide(v35 <= -half_turn, all_wide(m10), all_wide(0.0));
     const wide angle1_________ = atan2_wide(S2_pp, C2_pp);
-    const wide v40 = angle1_________ - offset2;
+    const wide v36 = angle1_________ - offset2;
     const wide angle1__________ = atan2_wide(S2_pm, C2_pm);
-    const wide v41 = angle1__________ - offset2;
-    const wide angle1___________ = atan2_wide(S2_mp, C2_mp);
-    const wide v42 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(S2_mm, C2_mm);
-    const wide v43 = angle1____________ - offset2;
-    const wide q2_ppp = v40 + pick_wide(v40 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v41 + pick_wide(v41 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v42 + pick_wide(v42 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v43 + pick_wide(v43 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide angle1_____________ = atan2_wide(w3, K3);
-    const wide v44 = angle1_____________ - turn1 - offset3;
-    const wide v45 = offset3 + (turn1 + angle1_____________);
-    const wide q3_ppp = v44 - pick_wide(half_turn < v44, all_wide(m5), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v24), s23_pp * v21 - T33 * c23_pp);
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v25), s23_pm * v21 - T33 * c23_pm);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v26), -(s23_mp * v21 + T33 * c23_mp));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v27), -(s23_mm * v21 + T33 * c23_mm));
-    const wide v46 = angle1______________ - offset5;
-    const wide v47 = offset5 + angle1______________;
-    const wide v48 = angle1_______________ - offset5;
-    const wide v49 = offset5 + angle1_______________;
-    const wide v50 = angle1________________ - offset5;
-    const wide v51 = offset5 + angle1________________;
-    const wide v52 = angle1_________________ - offset5;
-    const wide v53 = offset5 + angle1_________________;
-    const wide q5_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v47 <= -half_turn, all_wide(m5), all_wide(0.0)) - v47;
-    const wide q5_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v49 <= -half_turn, all_wide(m5), all_wide(0.0)) - v49;
-    const wide q5_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v51 <= -half_turn, all_wide(m5), all_wide(0.0)) - v51;
-    const wide q5_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v53 <= -half_turn, all_wide(m5), all_wide(0.0)) - v53;
-    const wide_mask v54 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v55 = (q1__m < low1) | (high1 < q1__m);
-    const wide_mask v56 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v57 = (-(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0))) < low3)
-        | (high3 < -(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0))));
+    const wide v37 = angle1__________ - offset2;
+    const wide angle1___________ = atan2_wide(S2_pm, C2_mp);
+    const wide v38 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(S2_pp, C2_mm);
+    const wide v39 = angle1____________ - offset2;
+    const wide q2_ppp = v36 + pick_wide(v36 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q2_pmp = v37 + pick_wide(v37 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q2_mpp = v38 + pick_wide(v38 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q2_mmp = v39 + pick_wide(v39 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide angle1_____________ = atan2_wide(w3, N3 - k3);
+    const wide v40 = angle1_____________ - turn1 - offset3;
+    const wide v41 = offset3 + (turn1 + angle1_____________);
+    const wide q3_ppp = v40 - pick_wide(half_turn < v40, all_wide(m10), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 *
+        c23_pp));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 *
+        c23_pm));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 *
+        c23_mp)));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33
+        * c23_mm)));
+    const wide v42 = angle1______________ - offset5;
+    const wide v43 = offset5 + angle1______________;
+    const wide v44 = angle1_______________ - offset5;
+    const wide v45 = offset5 + angle1_______________;
+    const wide v46 = angle1________________ - offset5;
+    const wide v47 = offset5 + angle1________________;
+    const wide v48 = angle1_________________ - offset5;
+    const wide v49 = offset5 + angle1_________________;
+    const wide q5_ppp = v42 + pick_wide(v42 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v43 <= -half_turn, all_wide(m10), all_wide(0.0)) - v43;
+    const wide q5_pmp = v44 + pick_wide(v44 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v45 <= -half_turn, all_wide(m10), all_wide(0.0)) - v45;
+    const wide q5_mpp = v46 + pick_wide(v46 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v47 <= -half_turn, all_wide(m10), all_wide(0.0)) - v47;
+    const wide q5_mmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v49 <= -half_turn, all_wide(m10), all_wide(0.0)) - v49;
+    const wide_mask v50 = (q1__p < low1) | (high1 < q1__p);
+    const wide_mask v51 = (q1__m < low1) | (high1 < q1__m);
+    const wide_mask v52 = (q3_ppp < low3) | (high3 < q3_ppp);
+    const wide_mask v53 = (-(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0))) <
+        low3) | (high3 < -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0))));
     const wide q1_ppp = v3 + q1__p;
     const wide q1_mpp = v3 + q1__m;
-    const wide_mask v58 = v56 | (v54 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v59 = v57 | (v54 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v60 = v56 | (v55 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v61 = v57 | (v55 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v58 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v58 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v59 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v59 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v60 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v60 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v61 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v61 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((v20 <= m2) | (v27 <= m3)) | (((v19 <= m2) | (v26 <= m3)) | (((v18 <=
-        m2) | (v25 <= m3)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((v17 <= m2) | (v24 <= m3)))));
+    const wide_mask v54 = v52 | (v50 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v55 = v53 | (v50 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v56 = v52 | (v51 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v57 = v53 | (v51 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v54 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v54 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v55 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v55 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v56 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v56 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v57 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v57 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((N3 <=
+        free_limit_squared2) | ((v23 <= m8) | ((v22 <= m8) | ((v20 <= m8) | (v21 <= m8))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -644,14 +726,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = -(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0)));
+    q[14] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
     q[15] = angle1_;
     q[16] = q5_pmp;
     q[17] = angle1_____;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = -(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0)));
+    q[20] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
     q[21] = q4_pmm;
     q[22] = q5_pmm;
     q[23] = q6_pmm;
@@ -672,87 +754,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = -(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0)));
+    q[38] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
     q[39] = angle1___;
     q[40] = q5_mmp;
     q[41] = angle1_______;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = -(v45 + pick_wide(half_turn < -v45, all_wide(m5), all_wide(0.0)));
+    q[44] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
     q[45] = q4_mmm;
     q[46] = q5_mmm;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-static const double m4 = 0.5; /* 1 / 2 */
+static const double m9 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -775,133 +794,86 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = v1 + Z1_3 * Z1_3;
-    const double K3 = N3 - k3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v3 = w3 - w3;
-    const double v4 = k1 * K3;
-    const double v5 = k2 * w3;
-    const four s3 = k4 * (e2 * v5 - v4);
-    const double v6 = k2 * K3;
-    const double v7 = k1 * w3;
-    const four c3 = k4 * (v6 + e2 * v7);
+    const double v4 = m3 - m4 * N3;
+    const four s3 = v4 + w3 * (m2 * e2);
+    const double v5 = m2 * N3 - m5;
+    const four c3 = v5 + w3 * (m4 * e2);
 
     /* theta2 */
-    const four X1_2 = a2 + (a3 * c3 - d4 * s3);
-    const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v8 = Z1_3 * X1_2;
-    const four v9 = w1 * Y1_2;
-    const four S2 = v8 - e1 * v9;
-    const four v10 = w1 * X1_2;
-    const four v11 = Z1_3 * Y1_2;
-    const four C2 = v11 + e1 * v10;
-    const four v12 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v12);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const double X1_2 = m7 + m6 * N3;
+    const double v6 = Z1_3 * X1_2;
+    const four S2 = v6 - w3 * (m6 * (w1 * (e1 * e2)));
+    const four v7 = w3 * (m6 * (e2 * Z1_3));
+    const four v8 = w1 * (e1 * X1_2);
+    const four C2 = v7 + v8;
+    const double factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * c2 - s3 * s2;
-    const four s23 = c3 * s2 + s3 * c2;
-    const double v13 = T23 * s1 - T13 * v2;
-    const four c4 = T33 * s23 + e1 * (c23 * v13);
-    const double v14 = T23 * v2 + T13 * s1;
-    const double v15 = v14 * v14;
-    const four v16 = v15 + c4 * c4;
-    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
+    const four c23 = c3 * C2 - s3 * S2;
+    const four s23 = c3 * S2 + s3 * C2;
+    const double v9 = T23 * s1 - T13 * v2;
+    const four c4 = T33 * s23 + e1 * (c23 * v9);
+    const double v10 = T23 * v2 + T13 * s1;
+    const double v11 = v10 * v10;
+    const four v12 = factor2 * c4;
+    const four v13 = v11 + factor2 * (c4 * v12);
+    const four_mask doubt2 = v13 <= m8;
+    const four v14 = copysign_four(all_four(half_turn), -(e1 * v10)) * h1;
 
     /* theta6 */
-    const double v18 = s1 * T12 + v2 * T22;
-    const double v19 = s1 * T22 - v2 * T12;
-    const double v20 = s1 * T11 + v2 * T21;
-    const double v21 = s1 * T21 - v2 * T11;
-    const four v22 = e1 * (c4 * v20 - v14 * (s23 * T31 + e1 * (c23 * v21)));
+    const double v15 = s1 * T12 + v2 * T22;
+    const double v16 = s1 * T22 - v2 * T12;
+    const double v17 = s1 * T11 + v2 * T21;
+    const double v18 = s1 * T21 - v2 * T11;
+    const four v19 = e1 * (c4 * v17 - v10 * (s23 * T31 + e1 * (c23 * v18)));
 
     /* joint values */
-    const double v23 = copysign(half_turn, wy);
-    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v12 <= m2) | (v16 <= m3));
+    const double v20 = copysign(half_turn, wy);
+    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
 
-    const four angle1 = atan2_four(-(e1 * v14), c4);
-    const four angle1_ = atan2_four(v22, e1 * (c4 * v18 - v14 * (s23 * T32 + e1 * (c23 * v19))));
+    const four angle1 = atan2_four(-(e1 * v10), v12);
+    const four angle1_ = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));
     const four angle1___ = atan2_four(S2, C2);
-    const four angle1_____ = atan2_four(sqrt_four(v16), e1 * (s23 * v13) - T33 * c23);
-    const four packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, K3, -X1, -X1 });
+    const four angle1_____ = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23));
+    const four packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 });
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1 - v17;
-    const four q6_m = angle1_ - h1 * copysign_four(all_four(half_turn), v22);
-    const four v24 = angle1__ + v23 * (m4 * (e1 - 1.0)) - offset1;
-    const four q1_ = v24 + pick_four(v24 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v25 = angle1___ - offset2;
-    const four q2_p = v25 + pick_four(v25 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v26 = e2 * angle1____ - turn1 - offset3;
-    const four q3_p = v26 - pick_four(half_turn < v26, all_four(m5), all_four(0.0));
-    const four v27 = angle1_____ - offset5;
-    const four v28 = offset5 + angle1_____;
-    const four q5_p = v27 + pick_four(v27 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q5_m = pick_four(-v28 <= -half_turn, all_four(m5), all_four(0.0)) - v28;
-    const four_mask v29 = (q1_ < low1) | (high1 < q1_);
-    const four_mask v30 = (q3_p < low3) | (high3 < q3_p);
+    const four q4_m = angle1 - v14;
+    const four q6_m = angle1_ - h1 * copysign_four(all_four(half_turn), v19);
+    const four v21 = angle1__ + v20 * (m9 * (e1 - 1.0)) - offset1;
+    const four q1_ = v21 + pick_four(v21 <= -half_turn, all_four(m10), all_four(0.0));
+    const four v22 = angle1___ - offset2;
+    const four q2_p = v22 + pick_four(v22 <= -half_turn, all_four(m10), all_four(0.0));
+    const four v23 = e2 * angle1____ - turn1 - offset3;
+    const four q3_p = v23 - pick_four(half_turn < v23, all_four(m10), all_four(0.0));
+    const four v24 = angle1_____ - offset5;
+    const four v25 = offset5 + angle1_____;
+    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m10), all_four(0.0));
+    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m10), all_four(0.0)) - v25;
+    const four_mask v26 = (q1_ < low1) | (high1 < q1_);
+    const four_mask v27 = (q3_p < low3) | (high3 < q3_p);
     const four q1_p = v3 + q1_;
-    const four_mask v31 = v30 | (v29 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v31 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v31 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v28 = v27 | (v26 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = v28 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v28 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1_);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * DENSO_VS060_UNREACHABLE + (outside1 & ~none1) *
+        DENSO_VS060_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

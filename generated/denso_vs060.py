@@ -89,10 +89,15 @@ high3 = 2.705260001  # highest value of joint 3
 low5 = -2.094395001  # lowest value of joint 5
 high5 = 2.094395001  # highest value of joint 5
 m1 = 1.0609e-24  # free_limit1^2 [m^2]
-m2 = 1.1255088099999996e-48  # free_limit_squared2^2 [m^4]
-m3 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m4
+m2 = 0.18194719892287262  # a coefficient of s3
+m3 = 0.9995724240825312  # a coefficient of s3
+m4 = 5.458415967686178  # a coefficient of s3
+m5 = 0.03331908080275105  # a coefficient of c3
+m6 = 1.639344262295082  # a coefficient of X1_2
+m7 = 0.004795081967213119  # a coefficient of X1_2
+m8 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -536,175 +541,155 @@ def _regular(pose, q, status):
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = v1 + Z1_3 * Z1_3
-    K3 = N3 - k3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v3 = w3 - w3
-    v4 = k1 * K3
-    v5 = k2 * w3
-    s3_p = k4 * (v5 - v4)
-    v6 = k4 * (v4 + v5)
-    v7 = k2 * K3
-    v8 = k1 * w3
-    c3_p = k4 * (v7 + v8)
-    c3_m = k4 * (v7 - v8)
+    v4 = m3 - m4 * N3
+    v5 = m2 * w3
+    s3_p = v4 + v5
+    s3_m = v4 - v5
+    v6 = m2 * N3 - m5
+    v7 = m4 * w3
+    c3_p = v6 + v7
+    c3_m = v6 - v7
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-    X1_2_m = a2 + (a3 * c3_m + d4 * v6)
-    Y1_2_p = d4 * c3_p + a3 * s3_p
-    Y1_2_m = d4 * c3_m - a3 * v6
-    v9 = Z1_3 * X1_2_p
-    v10 = Z1_3 * X1_2_m
-    v11 = w1 * Y1_2_p
-    v12 = w1 * Y1_2_m
-    S2_pp = v9 - v11
-    S2_pm = v10 - v12
-    S2_mp = v9 + v11
-    S2_mm = v10 + v12
-    v13 = w1 * X1_2_p
-    v14 = w1 * X1_2_m
-    v15 = Z1_3 * Y1_2_p
-    v16 = Z1_3 * Y1_2_m
-    C2_pp = v13 + v15
-    C2_pm = v14 + v16
-    C2_mp = v15 - v13
-    C2_mm = v16 - v14
-    v17 = S2_pp * S2_pp + C2_pp * C2_pp
-    v18 = S2_pm * S2_pm + C2_pm * C2_pm
-    v19 = S2_mp * S2_mp + C2_mp * C2_mp
-    v20 = S2_mm * S2_mm + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v17)
-    factor2_pm = 1.0 / math.sqrt(v18)
-    factor2_mp = 1.0 / math.sqrt(v19)
-    factor2_mm = 1.0 / math.sqrt(v20)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    c2_mm = C2_mm * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    X1_2 = m7 + m6 * N3
+    v8 = Z1_3 * X1_2
+    v9 = w3 * (m6 * w1)
+    S2_pp = v8 - v9
+    S2_pm = v8 + v9
+    v10 = w3 * (m6 * Z1_3)
+    v11 = w3 * (m6 * -Z1_3)
+    v12 = w1 * X1_2
+    C2_pp = v10 + v12
+    C2_pm = v11 + v12
+    C2_mp = v10 - v12
+    C2_mm = v11 - v12
+    factor2 = 1.0 / N3
 
     # theta4, type 2: U4[3, 3]
-    c23_pp = c3_p * c2_pp - s3_p * s2_pp
-    c23_pm = c3_m * c2_pm + v6 * s2_pm
-    c23_mp = c3_p * c2_mp - s3_p * s2_mp
-    c23_mm = c3_m * c2_mm + v6 * s2_mm
-    s23_pp = c3_p * s2_pp + s3_p * c2_pp
-    s23_pm = c3_m * s2_pm - v6 * c2_pm
-    s23_mp = c3_p * s2_mp + s3_p * c2_mp
-    s23_mm = c3_m * s2_mm - v6 * c2_mm
-    v21 = T23 * s1 - T13 * v2
-    c4_pp = T33 * s23_pp + c23_pp * v21
-    c4_pm = T33 * s23_pm + c23_pm * v21
-    c4_mp = T33 * s23_mp - c23_mp * v21
-    c4_mm = T33 * s23_mm - c23_mm * v21
-    v22 = T23 * v2 + T13 * s1
-    v23 = v22 * v22
-    v24 = v23 + c4_pp * c4_pp
-    v25 = v23 + c4_pm * c4_pm
-    v26 = v23 + c4_mp * c4_mp
-    v27 = v23 + c4_mm * c4_mm
-    angle1 = _atan2(-v22, c4_pp)
-    angle1_ = _atan2(-v22, c4_pm)
-    angle1__ = _atan2(v22, c4_mp)
-    angle1___ = _atan2(v22, c4_mm)
-    v28 = math.copysign(half_turn, -v22) * h1
-    v29 = math.copysign(half_turn, v22) * h1
-    q4_ppm = angle1 - v28
-    q4_pmm = angle1_ - v28
-    q4_mpm = angle1__ - v29
-    q4_mmm = angle1___ - v29
+    c23_pp = c3_p * C2_pp - s3_p * S2_pp
+    c23_pm = c3_m * C2_pm - s3_m * S2_pm
+    c23_mp = c3_p * C2_mp - s3_p * S2_pm
+    c23_mm = c3_m * C2_mm - s3_m * S2_pp
+    s23_pp = c3_p * S2_pp + s3_p * C2_pp
+    s23_pm = c3_m * S2_pm + s3_m * C2_pm
+    s23_mp = c3_p * S2_pm + s3_p * C2_mp
+    s23_mm = c3_m * S2_pp + s3_m * C2_mm
+    v13 = T23 * s1 - T13 * v2
+    c4_pp = T33 * s23_pp + c23_pp * v13
+    c4_pm = T33 * s23_pm + c23_pm * v13
+    c4_mp = T33 * s23_mp - c23_mp * v13
+    c4_mm = T33 * s23_mm - c23_mm * v13
+    v14 = T23 * v2 + T13 * s1
+    v15 = v14 * v14
+    v16 = factor2 * c4_pp
+    v17 = factor2 * c4_pm
+    v18 = factor2 * c4_mp
+    v19 = factor2 * c4_mm
+    v20 = v15 + factor2 * (c4_pp * v16)
+    v21 = v15 + factor2 * (c4_pm * v17)
+    v22 = v15 + factor2 * (c4_mp * v18)
+    v23 = v15 + factor2 * (c4_mm * v19)
+    angle1 = _atan2(-v14, v16)
+    angle1_ = _atan2(-v14, v17)
+    angle1__ = _atan2(v14, v18)
+    angle1___ = _atan2(v14, v19)
+    v24 = math.copysign(half_turn, -v14) * h1
+    v25 = math.copysign(half_turn, v14) * h1
+    q4_ppm = angle1 - v24
+    q4_pmm = angle1_ - v24
+    q4_mpm = angle1__ - v25
+    q4_mmm = angle1___ - v25
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v30 = s1 * T12 + v2 * T22
-    v31 = s1 * T22 - v2 * T12
-    v32 = s1 * T11 + v2 * T21
-    v33 = s1 * T21 - v2 * T11
-    v34 = c4_pp * v32 - v22 * (s23_pp * T31 + c23_pp * v33)
-    v35 = c4_pm * v32 - v22 * (s23_pm * T31 + c23_pm * v33)
-    v36 = v22 * (s23_mp * T31 - c23_mp * v33) - c4_mp * v32
-    v37 = v22 * (s23_mm * T31 - c23_mm * v33) - c4_mm * v32
-    angle1____ = _atan2(v34, c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31))
-    angle1_____ = _atan2(v35, c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31))
-    angle1______ = _atan2(v36, v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30)
-    angle1_______ = _atan2(v37, v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30)
-    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v34)
-    q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v35)
-    q6_mpm = angle1______ - h1 * math.copysign(half_turn, v36)
-    q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v37)
+    v26 = s1 * T12 + v2 * T22
+    v27 = s1 * T22 - v2 * T12
+    v28 = s1 * T11 + v2 * T21
+    v29 = s1 * T21 - v2 * T11
+    v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29)
+    v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
+    v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
+    v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
+    angle1____ = _atan2(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27))
+    angle1_____ = _atan2(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27))
+    angle1______ = _atan2(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26)
+    angle1_______ = _atan2(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26)
+    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v30)
+    q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v31)
+    q6_mpm = angle1______ - h1 * math.copysign(half_turn, v32)
+    q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v33)
 
     # joint values
     angle1________ = _atan2(wy, -X1)
-    v38 = angle1________ - offset1
-    v39 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
-    q1__p = v38 + (m5 if v38 <= -half_turn else 0.0)
-    q1__m = v39 + (m5 if v39 <= -half_turn else 0.0)
+    v34 = angle1________ - offset1
+    v35 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
+    q1__p = v34 + (m10 if v34 <= -half_turn else 0.0)
+    q1__m = v35 + (m10 if v35 <= -half_turn else 0.0)
     angle1_________ = _atan2(S2_pp, C2_pp)
-    v40 = angle1_________ - offset2
+    v36 = angle1_________ - offset2
     angle1__________ = _atan2(S2_pm, C2_pm)
-    v41 = angle1__________ - offset2
-    angle1___________ = _atan2(S2_mp, C2_mp)
-    v42 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_mm, C2_mm)
-    v43 = angle1____________ - offset2
-    q2_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
-    q2_pmp = v41 + (m5 if v41 <= -half_turn else 0.0)
-    q2_mpp = v42 + (m5 if v42 <= -half_turn else 0.0)
-    q2_mmp = v43 + (m5 if v43 <= -half_turn else 0.0)
-    angle1_____________ = _atan2(w3, K3)
-    v44 = angle1_____________ - turn1 - offset3
-    v45 = offset3 + (turn1 + angle1_____________)
-    q3_ppp = v44 - (m5 if half_turn < v44 else 0.0)
-    angle1______________ = _atan2(math.sqrt(v24), s23_pp * v21 - T33 * c23_pp)
-    angle1_______________ = _atan2(math.sqrt(v25), s23_pm * v21 - T33 * c23_pm)
-    angle1________________ = _atan2(math.sqrt(v26), -(s23_mp * v21 + T33 * c23_mp))
-    angle1_________________ = _atan2(math.sqrt(v27), -(s23_mm * v21 + T33 * c23_mm))
-    v46 = angle1______________ - offset5
-    v47 = offset5 + angle1______________
-    v48 = angle1_______________ - offset5
-    v49 = offset5 + angle1_______________
-    v50 = angle1________________ - offset5
-    v51 = offset5 + angle1________________
-    v52 = angle1_________________ - offset5
-    v53 = offset5 + angle1_________________
-    q5_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v47 <= -half_turn else 0.0) - v47
-    q5_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v49 <= -half_turn else 0.0) - v49
-    q5_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v51 <= -half_turn else 0.0) - v51
-    q5_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v53 <= -half_turn else 0.0) - v53
-    v54 = q1__p < low1 or high1 < q1__p
-    v55 = q1__m < low1 or high1 < q1__m
-    v56 = q3_ppp < low3 or high3 < q3_ppp
-    v57 = (
-        -(v45 + (m5 if half_turn < -v45 else 0.0)) < low3 or high3 < -(v45 + (m5 if half_turn < -v45
-        else 0.0))
+    v37 = angle1__________ - offset2
+    angle1___________ = _atan2(S2_pm, C2_mp)
+    v38 = angle1___________ - offset2
+    angle1____________ = _atan2(S2_pp, C2_mm)
+    v39 = angle1____________ - offset2
+    q2_ppp = v36 + (m10 if v36 <= -half_turn else 0.0)
+    q2_pmp = v37 + (m10 if v37 <= -half_turn else 0.0)
+    q2_mpp = v38 + (m10 if v38 <= -half_turn else 0.0)
+    q2_mmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+    angle1_____________ = _atan2(w3, N3 - k3)
+    v40 = angle1_____________ - turn1 - offset3
+    v41 = offset3 + (turn1 + angle1_____________)
+    q3_ppp = v40 - (m10 if half_turn < v40 else 0.0)
+    angle1______________ = _atan2(math.sqrt(v20), factor2 * (s23_pp * v13 - T33 * c23_pp))
+    angle1_______________ = _atan2(math.sqrt(v21), factor2 * (s23_pm * v13 - T33 * c23_pm))
+    angle1________________ = _atan2(math.sqrt(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp)))
+    angle1_________________ = _atan2(math.sqrt(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm)))
+    v42 = angle1______________ - offset5
+    v43 = offset5 + angle1______________
+    v44 = angle1_______________ - offset5
+    v45 = offset5 + angle1_______________
+    v46 = angle1________________ - offset5
+    v47 = offset5 + angle1________________
+    v48 = angle1_________________ - offset5
+    v49 = offset5 + angle1_________________
+    q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
+    q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
+    q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
+    q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
+    q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
+    q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
+    q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+    q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+    v50 = q1__p < low1 or high1 < q1__p
+    v51 = q1__m < low1 or high1 < q1__m
+    v52 = q3_ppp < low3 or high3 < q3_ppp
+    v53 = (
+        -(v41 + (m10 if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (m10 if half_turn <
+        -v41 else 0.0))
     )
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v58 = v56 or (v54 or (q2_ppp < low2 or high2 < q2_ppp))
-    v59 = v57 or (v54 or (q2_pmp < low2 or high2 < q2_pmp))
-    v60 = v56 or (v55 or (q2_mpp < low2 or high2 < q2_mpp))
-    v61 = v57 or (v55 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v58 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v58 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v59 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v59 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v60 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v60 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v61 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v61 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt = (
-        v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v18 <= m2 or v25 <= m3 or (v1 <= m1 or
+    v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
+    v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
+    v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
+    v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v54 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v54 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v55 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v55 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v56 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v56 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v57 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v57 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v17 <= m2 or v24 <= m3))))
+        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
+        (v20 <= m8 or v21 <= m8)))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -722,14 +707,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[2, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
     q[2, 3] = angle1_
     q[2, 4] = q5_pmp
     q[2, 5] = angle1_____
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[3, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -750,14 +735,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[6, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
     q[6, 3] = angle1___
     q[6, 4] = q5_mmp
     q[6, 5] = angle1_______
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v45 + (m5 if half_turn < -v45 else 0.0))
+    q[7, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -955,144 +940,124 @@ def _in_tiles(T, q, status):
             s1 = wy * factor1
             Z1_3 = T34 - d6 * T33 - d1
             N3 = v1 + Z1_3 * Z1_3
-            K3 = N3 - k3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v3 = w3 - w3
-            v4 = k1 * K3
-            v5 = k2 * w3
-            s3_p = k4 * (v5 - v4)
-            v6 = k4 * (v4 + v5)
-            v7 = k2 * K3
-            v8 = k1 * w3
-            c3_p = k4 * (v7 + v8)
-            c3_m = k4 * (v7 - v8)
-            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-            X1_2_m = a2 + (a3 * c3_m + d4 * v6)
-            Y1_2_p = d4 * c3_p + a3 * s3_p
-            Y1_2_m = d4 * c3_m - a3 * v6
-            v9 = Z1_3 * X1_2_p
-            v10 = Z1_3 * X1_2_m
-            v11 = w1 * Y1_2_p
-            v12 = w1 * Y1_2_m
-            S2_pp = v9 - v11
-            S2_pm = v10 - v12
-            S2_mp = v9 + v11
-            S2_mm = v10 + v12
-            v13 = w1 * X1_2_p
-            v14 = w1 * X1_2_m
-            v15 = Z1_3 * Y1_2_p
-            v16 = Z1_3 * Y1_2_m
-            C2_pp = v13 + v15
-            C2_pm = v14 + v16
-            C2_mp = v15 - v13
-            C2_mm = v16 - v14
-            v17 = S2_pp * S2_pp + C2_pp * C2_pp
-            v18 = S2_pm * S2_pm + C2_pm * C2_pm
-            v19 = S2_mp * S2_mp + C2_mp * C2_mp
-            v20 = S2_mm * S2_mm + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v17)
-            factor2_pm = 1.0 / math.sqrt(v18)
-            factor2_mp = 1.0 / math.sqrt(v19)
-            factor2_mm = 1.0 / math.sqrt(v20)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            c2_mm = C2_mm * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            c23_pp = c3_p * c2_pp - s3_p * s2_pp
-            c23_pm = c3_m * c2_pm + v6 * s2_pm
-            c23_mp = c3_p * c2_mp - s3_p * s2_mp
-            c23_mm = c3_m * c2_mm + v6 * s2_mm
-            s23_pp = c3_p * s2_pp + s3_p * c2_pp
-            s23_pm = c3_m * s2_pm - v6 * c2_pm
-            s23_mp = c3_p * s2_mp + s3_p * c2_mp
-            s23_mm = c3_m * s2_mm - v6 * c2_mm
-            v21 = T23 * s1 - T13 * v2
-            c4_pp = T33 * s23_pp + c23_pp * v21
-            c4_pm = T33 * s23_pm + c23_pm * v21
-            c4_mp = T33 * s23_mp - c23_mp * v21
-            c4_mm = T33 * s23_mm - c23_mm * v21
-            v22 = T23 * v2 + T13 * s1
-            v23 = v22 * v22
-            v24 = v23 + c4_pp * c4_pp
-            v25 = v23 + c4_pm * c4_pm
-            v26 = v23 + c4_mp * c4_mp
-            v27 = v23 + c4_mm * c4_mm
-            v28 = math.copysign(half_turn, -v22) * h1
-            v29 = math.copysign(half_turn, v22) * h1
-            v30 = s1 * T12 + v2 * T22
-            v31 = s1 * T22 - v2 * T12
-            v32 = s1 * T11 + v2 * T21
-            v33 = s1 * T21 - v2 * T11
-            v34 = c4_pp * v32 - v22 * (s23_pp * T31 + c23_pp * v33)
-            v35 = c4_pm * v32 - v22 * (s23_pm * T31 + c23_pm * v33)
-            v36 = v22 * (s23_mp * T31 - c23_mp * v33) - c4_mp * v32
-            v37 = v22 * (s23_mm * T31 - c23_mm * v33) - c4_mm * v32
-            doubt = (
-                v20 <= m2 or v27 <= m3 or (v19 <= m2 or v26 <= m3 or (v18 <= m2 or v25 <= m3 or (v1
-                <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
-                N3 and N3 < longest3_apart) or (v17 <= m2 or v24 <= m3))))
+            v4 = m3 - m4 * N3
+            v5 = m2 * w3
+            s3_p = v4 + v5
+            s3_m = v4 - v5
+            v6 = m2 * N3 - m5
+            v7 = m4 * w3
+            c3_p = v6 + v7
+            c3_m = v6 - v7
+            X1_2 = m7 + m6 * N3
+            v8 = Z1_3 * X1_2
+            v9 = w3 * (m6 * w1)
+            S2_pp = v8 - v9
+            S2_pm = v8 + v9
+            v10 = w3 * (m6 * Z1_3)
+            v11 = w3 * (m6 * -Z1_3)
+            v12 = w1 * X1_2
+            C2_pp = v10 + v12
+            C2_pm = v11 + v12
+            C2_mp = v10 - v12
+            C2_mm = v11 - v12
+            factor2 = 1.0 / N3
+            c23_pp = c3_p * C2_pp - s3_p * S2_pp
+            c23_pm = c3_m * C2_pm - s3_m * S2_pm
+            c23_mp = c3_p * C2_mp - s3_p * S2_pm
+            c23_mm = c3_m * C2_mm - s3_m * S2_pp
+            s23_pp = c3_p * S2_pp + s3_p * C2_pp
+            s23_pm = c3_m * S2_pm + s3_m * C2_pm
+            s23_mp = c3_p * S2_pm + s3_p * C2_mp
+            s23_mm = c3_m * S2_pp + s3_m * C2_mm
+            v13 = T23 * s1 - T13 * v2
+            c4_pp = T33 * s23_pp + c23_pp * v13
+            c4_pm = T33 * s23_pm + c23_pm * v13
+            c4_mp = T33 * s23_mp - c23_mp * v13
+            c4_mm = T33 * s23_mm - c23_mm * v13
+            v14 = T23 * v2 + T13 * s1
+            v15 = v14 * v14
+            v16 = factor2 * c4_pp
+            v17 = factor2 * c4_pm
+            v18 = factor2 * c4_mp
+            v19 = factor2 * c4_mm
+            v20 = v15 + factor2 * (c4_pp * v16)
+            v21 = v15 + factor2 * (c4_pm * v17)
+            v22 = v15 + factor2 * (c4_mp * v18)
+            v23 = v15 + factor2 * (c4_mm * v19)
+            v24 = math.copysign(half_turn, -v14) * h1
+            v25 = math.copysign(half_turn, v14) * h1
+            v26 = s1 * T12 + v2 * T22
+            v27 = s1 * T22 - v2 * T12
+            v28 = s1 * T11 + v2 * T21
+            v29 = s1 * T21 - v2 * T11
+            v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29)
+            v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
+            v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
+            v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
+            doubt1 = (
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22
+                <= m8 or (v20 <= m8 or v21 <= m8)))))
             )
             work[544 + k] = wy
             work[576 + k] = v3
-            work[608 + k] = v28
-            work[640 + k] = v29
-            work[672 + k] = v34
-            work[704 + k] = v35
-            work[736 + k] = v36
-            work[768 + k] = v37
-            work[800 + k] = doubt
-            work[832 + k] = -v22
-            work[864 + k] = -v22
-            work[896 + k] = v22
-            work[928 + k] = v22
-            work[960 + k] = v34
-            work[992 + k] = v35
-            work[1024 + k] = v36
-            work[1056 + k] = v37
+            work[608 + k] = v24
+            work[640 + k] = v25
+            work[672 + k] = v30
+            work[704 + k] = v31
+            work[736 + k] = v32
+            work[768 + k] = v33
+            work[800 + k] = doubt1
+            work[832 + k] = -v14
+            work[864 + k] = -v14
+            work[896 + k] = v14
+            work[928 + k] = v14
+            work[960 + k] = v30
+            work[992 + k] = v31
+            work[1024 + k] = v32
+            work[1056 + k] = v33
             work[1088 + k] = wy
             work[1120 + k] = S2_pp
             work[1152 + k] = S2_pm
-            work[1184 + k] = S2_mp
-            work[1216 + k] = S2_mm
+            work[1184 + k] = S2_pm
+            work[1216 + k] = S2_pp
             work[1248 + k] = w3
-            work[1280 + k] = math.sqrt(v24)
-            work[1312 + k] = math.sqrt(v25)
-            work[1344 + k] = math.sqrt(v26)
-            work[1376 + k] = math.sqrt(v27)
-            work[1408 + k] = c4_pp
-            work[1440 + k] = c4_pm
-            work[1472 + k] = c4_mp
-            work[1504 + k] = c4_mm
-            work[1536 + k] = c4_pp * v30 - v22 * (s23_pp * T32 + c23_pp * v31)
-            work[1568 + k] = c4_pm * v30 - v22 * (s23_pm * T32 + c23_pm * v31)
-            work[1600 + k] = v22 * (s23_mp * T32 - c23_mp * v31) - c4_mp * v30
-            work[1632 + k] = v22 * (s23_mm * T32 - c23_mm * v31) - c4_mm * v30
+            work[1280 + k] = math.sqrt(v20)
+            work[1312 + k] = math.sqrt(v21)
+            work[1344 + k] = math.sqrt(v22)
+            work[1376 + k] = math.sqrt(v23)
+            work[1408 + k] = v16
+            work[1440 + k] = v17
+            work[1472 + k] = v18
+            work[1504 + k] = v19
+            work[1536 + k] = c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27)
+            work[1568 + k] = c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27)
+            work[1600 + k] = v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26
+            work[1632 + k] = v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26
             work[1664 + k] = -X1
             work[1696 + k] = C2_pp
             work[1728 + k] = C2_pm
             work[1760 + k] = C2_mp
             work[1792 + k] = C2_mm
-            work[1824 + k] = K3
-            work[1856 + k] = s23_pp * v21 - T33 * c23_pp
-            work[1888 + k] = s23_pm * v21 - T33 * c23_pm
-            work[1920 + k] = -(s23_mp * v21 + T33 * c23_mp)
-            work[1952 + k] = -(s23_mm * v21 + T33 * c23_mm)
+            work[1824 + k] = N3 - k3
+            work[1856 + k] = factor2 * (s23_pp * v13 - T33 * c23_pp)
+            work[1888 + k] = factor2 * (s23_pm * v13 - T33 * c23_pm)
+            work[1920 + k] = -(factor2 * (s23_mp * v13 + T33 * c23_mp))
+            work[1952 + k] = -(factor2 * (s23_mm * v13 + T33 * c23_mm))
         for k in range(832, 1408):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             wy = work[544 + k]
             v3 = work[576 + k]
-            v28 = work[608 + k]
-            v29 = work[640 + k]
-            v34 = work[672 + k]
-            v35 = work[704 + k]
-            v36 = work[736 + k]
-            v37 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v24 = work[608 + k]
+            v25 = work[640 + k]
+            v30 = work[672 + k]
+            v31 = work[704 + k]
+            v32 = work[736 + k]
+            v33 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1111,66 +1076,66 @@ def _in_tiles(T, q, status):
             angle1_______________ = work[1312 + k]
             angle1________________ = work[1344 + k]
             angle1_________________ = work[1376 + k]
-            q4_ppm = angle1 - v28
-            q4_pmm = angle1_ - v28
-            q4_mpm = angle1__ - v29
-            q4_mmm = angle1___ - v29
-            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v34)
-            q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v35)
-            q6_mpm = angle1______ - h1 * math.copysign(half_turn, v36)
-            q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v37)
-            v38 = angle1________ - offset1
-            v39 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
-            q1__p = v38 + (m5 if v38 <= -half_turn else 0.0)
-            q1__m = v39 + (m5 if v39 <= -half_turn else 0.0)
-            v40 = angle1_________ - offset2
-            v41 = angle1__________ - offset2
-            v42 = angle1___________ - offset2
-            v43 = angle1____________ - offset2
-            q2_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
-            q2_pmp = v41 + (m5 if v41 <= -half_turn else 0.0)
-            q2_mpp = v42 + (m5 if v42 <= -half_turn else 0.0)
-            q2_mmp = v43 + (m5 if v43 <= -half_turn else 0.0)
-            v44 = angle1_____________ - turn1 - offset3
-            v45 = offset3 + (turn1 + angle1_____________)
-            q3_ppp = v44 - (m5 if half_turn < v44 else 0.0)
-            v46 = angle1______________ - offset5
-            v47 = offset5 + angle1______________
-            v48 = angle1_______________ - offset5
-            v49 = offset5 + angle1_______________
-            v50 = angle1________________ - offset5
-            v51 = offset5 + angle1________________
-            v52 = angle1_________________ - offset5
-            v53 = offset5 + angle1_________________
-            q5_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v47 <= -half_turn else 0.0) - v47
-            q5_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v49 <= -half_turn else 0.0) - v49
-            q5_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v51 <= -half_turn else 0.0) - v51
-            q5_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v53 <= -half_turn else 0.0) - v53
-            v54 = q1__p < low1 or high1 < q1__p
-            v55 = q1__m < low1 or high1 < q1__m
-            v56 = q3_ppp < low3 or high3 < q3_ppp
-            v57 = (
-                -(v45 + (m5 if half_turn < -v45 else 0.0)) < low3 or high3 < -(v45 + (m5 if
-                half_turn < -v45 else 0.0))
+            q4_ppm = angle1 - v24
+            q4_pmm = angle1_ - v24
+            q4_mpm = angle1__ - v25
+            q4_mmm = angle1___ - v25
+            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v30)
+            q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v31)
+            q6_mpm = angle1______ - h1 * math.copysign(half_turn, v32)
+            q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v33)
+            v34 = angle1________ - offset1
+            v35 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
+            q1__p = v34 + (m10 if v34 <= -half_turn else 0.0)
+            q1__m = v35 + (m10 if v35 <= -half_turn else 0.0)
+            v36 = angle1_________ - offset2
+            v37 = angle1__________ - offset2
+            v38 = angle1___________ - offset2
+            v39 = angle1____________ - offset2
+            q2_ppp = v36 + (m10 if v36 <= -half_turn else 0.0)
+            q2_pmp = v37 + (m10 if v37 <= -half_turn else 0.0)
+            q2_mpp = v38 + (m10 if v38 <= -half_turn else 0.0)
+            q2_mmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+            v40 = angle1_____________ - turn1 - offset3
+            v41 = offset3 + (turn1 + angle1_____________)
+            q3_ppp = v40 - (m10 if half_turn < v40 else 0.0)
+            v42 = angle1______________ - offset5
+            v43 = offset5 + angle1______________
+            v44 = angle1_______________ - offset5
+            v45 = offset5 + angle1_______________
+            v46 = angle1________________ - offset5
+            v47 = offset5 + angle1________________
+            v48 = angle1_________________ - offset5
+            v49 = offset5 + angle1_________________
+            q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
+            q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
+            q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
+            q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
+            q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
+            q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
+            q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+            q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+            v50 = q1__p < low1 or high1 < q1__p
+            v51 = q1__m < low1 or high1 < q1__m
+            v52 = q3_ppp < low3 or high3 < q3_ppp
+            v53 = (
+                -(v41 + (m10 if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (m10 if
+                half_turn < -v41 else 0.0))
             )
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v58 = v56 or (v54 or (q2_ppp < low2 or high2 < q2_ppp))
-            v59 = v57 or (v54 or (q2_pmp < low2 or high2 < q2_pmp))
-            v60 = v56 or (v55 or (q2_mpp < low2 or high2 < q2_mpp))
-            v61 = v57 or (v55 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v58 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v58 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v59 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v59 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v60 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v60 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v61 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v61 or (q5_mmm < low5 or high5 < q5_mmm)
+            v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
+            v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
+            v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
+            v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v54 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v54 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v55 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v55 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v56 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v56 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v57 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v57 or (q5_mmm < low5 or high5 < q5_mmm)
             _1984 = q1_ppp
             work[1984 + k] = _1984
             _2016 = q2_ppp
@@ -1191,7 +1156,7 @@ def _in_tiles(T, q, status):
             work[2240 + k] = _2240
             _2272 = q2_pmp
             work[2272 + k] = _2272
-            _2304 = -(v45 + (m5 if half_turn < -v45 else 0.0))
+            _2304 = -(v41 + (m10 if half_turn < -v41 else 0.0))
             work[2304 + k] = _2304
             _2336 = angle1_
             work[2336 + k] = _2336
@@ -1259,7 +1224,7 @@ def _in_tiles(T, q, status):
             work[3232 + k] = (
                 UNREACHABLE if _2528 != _2528 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef DOOSAN_M1013_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DDOOSAN_M1013_SCALAR. With -DDOOSAN_M1013_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(DOOSAN_M1013_SCALAR) && !defined(DOOSAN_M1013_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef DOOSAN_M1013_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & DOOSAN_M1013_UNREACHABLE) \
+        | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)DOOSAN_M1013_UNREACHABLE \
+        : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.1525; /* joint offset 1 [m] */
 static const double d2 = 0.0345; /* joint offset 2 [m] */
 static const double a2 = 0.62; /* link length 2 [m] */
@@ -38,10 +340,20 @@ static const double k4 = 0.6931600000000001; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.6968810000000001; /* a2^2 + d4^2 [m^2] */
 static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 4.8892683465610004e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 0.8064516129032259; /* a coefficient of S2 */
+static const double m2 = 0.057999193548387; /* a coefficient of S2 */
+static const double m3 = 4.8892683465610004e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 0.08367360140283196; /* a coefficient of v8 */
+static const double m5 = 1.163442225320598; /* a coefficient of v8 */
+static const double m6 = 0.8107807814236438; /* a coefficient of v8 */
+static const double m7 = 0.06432826475849722; /* a coefficient of v8 */
+static const double m8 = 0.8944543828264757; /* a coefficient of v8 */
+static const double m9 = 0.7271071800208119; /* a coefficient of s23 */
+static const double m10 = 1.6215615628472875; /* a coefficient of s23 */
+static const double m13 = 1e-24; /* free_limit^2 */
+static const double m15 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 0.0643282647584972; /* m11 + m12 */
+static const double h2 = 1.0; /* 2 * m14 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -52,12 +364,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void doosan_m1013_fk(const double q[6], double T[16])
 {
@@ -230,209 +536,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef DOOSAN_M1013_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DDOOSAN_M1013_SCALAR. With -DDOOSAN_M1013_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(DOOSAN_M1013_SCALAR) && !defined(DOOSAN_M1013_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef DOOSAN_M1013_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & DOOSAN_M1013_UNREACHABLE) \
-        | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)DOOSAN_M1013_UNREACHABLE \
-        : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -450,168 +553,170 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = d2 * X1;
-    const wide v3 = d2 * wy;
-    const wide v4 = X1 * w1;
-    const wide v5 = v3 + v4;
-    const wide v6 = v3 - v4;
-    const wide v7 = inverse1 * v5;
-    const wide v8 = inverse1 * v6;
-    const wide v9 = wy * w1;
-    const wide v10 = v9 - v2;
-    const wide v11 = v2 + v9;
-    const wide s1_p = inverse1 * v10;
-    const wide v12 = inverse1 * v11;
+    const wide v2 = inverse1 * (d2 * wy);
+    const wide v3 = v2 + w1 * (X1 * inverse1);
+    const wide v4 = v2 + w1 * (inverse1 * -X1);
+    const wide v5 = inverse1 * (d2 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v5;
+    const wide s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v13 = w3 - w3;
-    const wide v14 = k4 * (N3 - k5);
-    const wide s3 = k6 * v14;
-    const wide v15 = k4 * w3;
-    const wide v16 = k6 * v15;
+    const wide v6 = w3 - w3;
+    const wide v7 = k4 * (N3 - k5);
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * s3;
-    const wide Y1_2 = d4 * v16;
-    const wide v17 = Z1_3 * X1_2;
-    const wide v18 = w1 * Y1_2;
-    const wide S2_pp = v17 - v18;
-    const wide S2_pm = v17 + v18;
-    const wide v19 = w1 * X1_2;
-    const wide v20 = Z1_3 * Y1_2;
-    const wide C2_pp = v19 + v20;
-    const wide C2_pm = v19 - v20;
-    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v22 = S2_pm * S2_pm;
-    const wide v23 = v22 + C2_pm * C2_pm;
-    const wide v24 = v22 + -C2_pm * -C2_pm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v21);
-    const wide factor2_pm = 1.0 / sqrt_wide(v23);
-    const wide factor2_mp = 1.0 / sqrt_wide(v24);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = -C2_pm * factor2_mp;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_pm * factor2_mp;
+    const wide v8 = m2 + m1 * N3;
+    const wide v9 = Z1_3 * v8;
+    const wide v10 = w3 * (m1 * w1);
+    const wide S2_pp = v9 - v10;
+    const wide S2_pm = v9 + v10;
+    const wide v11 = w3 * (m1 * Z1_3);
+    const wide v12 = w3 * (m1 * -Z1_3);
+    const wide v13 = w1 * v8;
+    const wide C2_pp = v11 + v13;
+    const wide C2_pm = v12 + v13;
+    const wide C2_mp = v11 - v13;
+    const wide C2_mm = v12 - v13;
+    const wide v14 = S2_pp * S2_pp;
+    const wide v15 = v14 + C2_pp * C2_pp;
+    const wide v16 = S2_pm * S2_pm;
+    const wide v17 = v16 + C2_pm * C2_pm;
+    const wide v18 = v16 + C2_mp * C2_mp;
+    const wide v19 = v14 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v15);
+    const wide factor2_pm = 1.0 / sqrt_wide(v17);
+    const wide factor2_mp = 1.0 / sqrt_wide(v18);
+    const wide factor2_mm = 1.0 / sqrt_wide(v19);
 
     /* theta4 */
-    const wide v25 = s3 * s2_pp + v16 * c2_pp;
-    const wide v26 = s3 * s2_pm - v16 * c2_pm;
-    const wide v27 = s3 * s2_mp + v16 * c2_mp;
-    const wide s23_pp = s3 * c2_pp - v16 * s2_pp;
-    const wide s23_pm = s3 * c2_pm + v16 * s2_pm;
-    const wide s23_mp = s3 * c2_mp - v16 * s2_mp;
-    const wide v28 = T23 * s1_p - T13 * v7;
-    const wide v29 = T23 * v12 + T13 * v8;
-    const wide X4_pp = v25 * v28 - T33 * s23_pp;
-    const wide X4_pm = v26 * v28 - T33 * s23_pm;
-    const wide v30 = v27 * v29 + T33 * s23_mp;
-    const wide v31 = v25 * v29 + T33 * -s23_pp;
-    const wide Y4_p = T13 * s1_p + T23 * v7;
-    const wide Y4_m = T23 * v8 - T13 * v12;
-    const wide v32 = Y4_p * Y4_p;
-    const wide v33 = Y4_m * Y4_m;
-    const wide v34 = v32 + X4_pp * X4_pp;
-    const wide v35 = v32 + X4_pm * X4_pm;
-    const wide v36 = v33 + v30 * v30;
-    const wide v37 = v33 + v31 * v31;
+    const wide v20 = m5 * N3;
+    const wide v21 = m4 + v20;
+    const wide v22 = m6 - v20;
+    const wide v23 = Z1_3 * (m8 * N3 - m7);
+    const wide v24 = v23 + w3 * (w1 * (v21 + v22));
+    const wide v25 = factor2_pp * v24;
+    const wide v26 = v23 + w3 * (w1 * (-v22 - v21));
+    const wide v27 = factor2_pm * v26;
+    const wide v28 = factor2_mp * v26;
+    const wide v29 = factor2_mm * v24;
+    const wide v30 = v20 - m9;
+    const wide v31 = m10 - v20;
+    const wide v32 = m8 * (Z1_3 * w3);
+    const wide v33 = m8 * (w3 * -Z1_3);
+    const wide v34 = w1 * (N3 * (v30 + v31) - h1);
+    const wide s23_pp = factor2_pp * (v34 - v32);
+    const wide s23_pm = factor2_pm * (v34 - v33);
+    const wide v35 = w1 * (h1 + N3 * (-v30 + -v31));
+    const wide s23_mp = factor2_mp * (v35 - v32);
+    const wide s23_mm = factor2_mm * (v35 - v33);
+    const wide v36 = T23 * s1_p - T13 * v3;
+    const wide v37 = T23 * s1_m - T13 * v4;
+    const wide X4_pp = v25 * v36 - T33 * s23_pp;
+    const wide X4_pm = v27 * v36 - T33 * s23_pm;
+    const wide X4_mp = v28 * v37 - T33 * s23_mp;
+    const wide X4_mm = v29 * v37 - T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v3;
+    const wide Y4_m = T13 * s1_m + T23 * v4;
+    const wide v38 = Y4_p * Y4_p;
+    const wide v39 = Y4_m * Y4_m;
+    const wide v40 = v38 + X4_pp * X4_pp;
+    const wide v41 = v38 + X4_pm * X4_pm;
+    const wide v42 = v39 + X4_mp * X4_mp;
+    const wide v43 = v39 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v38 = v7 * T22 + s1_p * T12;
-    const wide v39 = v8 * T22 - v12 * T12;
-    const wide v40 = s1_p * T22 - v7 * T12;
-    const wide v41 = v12 * T22 + v8 * T12;
-    const wide v42 = v7 * T21 + s1_p * T11;
-    const wide v43 = v8 * T21 - v12 * T11;
-    const wide v44 = s1_p * T21 - v7 * T11;
-    const wide v45 = v12 * T21 + v8 * T11;
-    const wide s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp;
-    const wide s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm;
-    const wide s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43;
-    const wide s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43;
-    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp);
-    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm);
-    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39);
-    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39);
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v44 = v3 * T22 + s1_p * T12;
+    const wide v45 = v4 * T22 + s1_m * T12;
+    const wide v46 = s1_p * T22 - v3 * T12;
+    const wide v47 = s1_m * T22 - v4 * T12;
+    const wide v48 = v3 * T21 + s1_p * T11;
+    const wide v49 = v4 * T21 + s1_m * T11;
+    const wide v50 = s1_p * T21 - v3 * T11;
+    const wide v51 = s1_m * T21 - v4 * T11;
+    const wide s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp;
+    const wide s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm;
+    const wide s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp;
+    const wide s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm;
+    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp);
+    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm);
+    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp);
+    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm);
+    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h2;
+    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h2;
+    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h2;
+    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h2;
 
     /* joint values */
     const wide angle1____ = atan2_wide(S2_pp, C2_pp);
-    const wide v46 = angle1____ - offset2;
+    const wide v52 = angle1____ - offset2;
     const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide v47 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(S2_pm, -C2_pm);
-    const wide v48 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(S2_pp, -C2_pp);
-    const wide v49 = angle1_______ - offset2;
-    const wide q2_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_pmp = v47 + pick_wide(v47 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mpp = v48 + pick_wide(v48 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1________ = atan2_wide(v14, -v15);
-    const wide v50 = angle1________ - offset3;
-    const wide v51 = h1 * copysign_wide(all_wide(half_turn), v14) - angle1________ - offset3;
+    const wide v53 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(S2_pm, C2_mp);
+    const wide v54 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
+    const wide v55 = angle1_______ - offset2;
+    const wide q2_ppp = v52 + pick_wide(v52 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2_pmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2_mpp = v54 + pick_wide(v54 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide angle1________ = atan2_wide(v7, -(k4 * w3));
+    const wide v56 = angle1________ - offset3;
+    const wide v57 = h2 * copysign_wide(all_wide(half_turn), v7) - angle1________ - offset3;
     const wide angle1_________ = atan2_wide(Y4_p, -X4_pp);
     const wide angle1__________ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1___________ = atan2_wide(Y4_m, v30);
-    const wide angle1____________ = atan2_wide(Y4_m, v31);
-    const wide v52 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v53 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v54 = angle1_________ - offset4;
-    const wide v55 = angle1_________ - v52 - offset4;
-    const wide v56 = angle1__________ - offset4;
-    const wide v57 = angle1__________ - v52 - offset4;
-    const wide v58 = angle1___________ - offset4;
-    const wide v59 = angle1___________ - v53 - offset4;
-    const wide v60 = angle1____________ - offset4;
-    const wide v61 = angle1____________ - v53 - offset4;
-    const wide q4_ppp = v54 + pick_wide(v54 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_ppm = v55 + pick_wide(v55 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmp = v56 + pick_wide(v56 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmm = v57 + pick_wide(v57 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpp = v58 + pick_wide(v58 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpm = v59 + pick_wide(v59 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmm = v61 + pick_wide(v61 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide v62 = T33 * v25;
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v34), -(v62 + s23_pp * v28));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v35), -(T33 * v26 + s23_pm * v28));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v36), s23_mp * v29 - T33 * v27);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v37), -s23_pp * v29 - v62);
-    const wide v63 = angle1_____________ - offset5;
-    const wide v64 = offset5 + angle1_____________;
-    const wide v65 = angle1______________ - offset5;
-    const wide v66 = offset5 + angle1______________;
-    const wide v67 = angle1_______________ - offset5;
-    const wide v68 = offset5 + angle1_______________;
-    const wide v69 = angle1________________ - offset5;
-    const wide v70 = offset5 + angle1________________;
-    const wide q5_ppp = v63 + pick_wide(v63 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v64 <= -half_turn, all_wide(m4), all_wide(0.0)) - v64;
-    const wide q5_pmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v66 <= -half_turn, all_wide(m4), all_wide(0.0)) - v66;
-    const wide q5_mpp = v67 + pick_wide(v67 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v68 <= -half_turn, all_wide(m4), all_wide(0.0)) - v68;
-    const wide q5_mmp = v69 + pick_wide(v69 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v70 <= -half_turn, all_wide(m4), all_wide(0.0)) - v70;
-    const wide angle1_________________ = atan2_wide(v10, -v5);
-    const wide q1_ppp = v13 + angle1_________________;
-    const wide angle1__________________ = atan2_wide(-v11, -v6);
-    const wide q1_mpp = v13 + angle1__________________;
-    const wide q3_ppp = v1 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m4), all_wide(0.0)));
-    const wide q3_pmp = v1 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m4), all_wide(0.0)));
-    const wide_mask v71 = v21 <= m1;
-    const wide_mask doubt = (v71 | (v37 <= m2)) | (((v24 <= m1) | (v36 <= m2)) | (((v23 <= m1) |
-        (v35 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))
-        | (v71 | (v34 <= m2)))));
+    const wide angle1___________ = atan2_wide(Y4_m, -X4_mp);
+    const wide angle1____________ = atan2_wide(Y4_m, -X4_mm);
+    const wide v58 = h2 * copysign_wide(all_wide(half_turn), Y4_p);
+    const wide v59 = h2 * copysign_wide(all_wide(half_turn), Y4_m);
+    const wide v60 = angle1_________ - offset4;
+    const wide v61 = angle1_________ - v58 - offset4;
+    const wide v62 = angle1__________ - offset4;
+    const wide v63 = angle1__________ - v58 - offset4;
+    const wide v64 = angle1___________ - offset4;
+    const wide v65 = angle1___________ - v59 - offset4;
+    const wide v66 = angle1____________ - offset4;
+    const wide v67 = angle1____________ - v59 - offset4;
+    const wide q4_ppp = v60 + pick_wide(v60 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_ppm = v61 + pick_wide(v61 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_pmp = v62 + pick_wide(v62 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_pmm = v63 + pick_wide(v63 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_mpp = v64 + pick_wide(v64 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_mpm = v65 + pick_wide(v65 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q4_mmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v40), -(T33 * v25 + s23_pp * v36));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v41), -(T33 * v27 + s23_pm * v36));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v42), -(T33 * v28 + s23_mp * v37));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v43), -(T33 * v29 + s23_mm * v37));
+    const wide v68 = angle1_____________ - offset5;
+    const wide v69 = offset5 + angle1_____________;
+    const wide v70 = angle1______________ - offset5;
+    const wide v71 = offset5 + angle1______________;
+    const wide v72 = angle1_______________ - offset5;
+    const wide v73 = offset5 + angle1_______________;
+    const wide v74 = angle1________________ - offset5;
+    const wide v75 = offset5 + angle1________________;
+    const wide q5_ppp = v68 + pick_wide(v68 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v69 <= -half_turn, all_wide(m15), all_wide(0.0)) - v69;
+    const wide q5_pmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v71 <= -half_turn, all_wide(m15), all_wide(0.0)) - v71;
+    const wide q5_mpp = v72 + pick_wide(v72 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v73 <= -half_turn, all_wide(m15), all_wide(0.0)) - v73;
+    const wide q5_mmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v75 <= -half_turn, all_wide(m15), all_wide(0.0)) - v75;
+    const wide angle1_________________ = atan2_wide(s1_p, -v3);
+    const wide q1_ppp = v6 + angle1_________________;
+    const wide angle1__________________ = atan2_wide(s1_m, -v4);
+    const wide q1_mpp = v6 + angle1__________________;
+    const wide q3_ppp = v1 + (v56 + pick_wide(v56 <= -half_turn, all_wide(m15), all_wide(0.0)));
+    const wide q3_pmp = v1 + (v57 + pick_wide(v57 <= -half_turn, all_wide(m15), all_wide(0.0)));
+    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v43 <= m13) |
+        ((v19 <= m3) | ((v42 <= m13) | ((v18 <= m3) | ((v41 <= m13) | ((v17 <= m3) | ((v40 <= m13) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (v15 <= m3))))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -670,74 +775,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m11 = 0.05831054301920694; /* a coefficient of s23 */
+static const double m12 = 0.006017721739290271; /* a coefficient of s23 */
+static const double m14 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -757,141 +801,99 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = d2 * X1;
-    const double v3 = d2 * wy;
-    const double v4 = X1 * w1;
-    const four v5 = v3 + e1 * v4;
-    const four v6 = inverse1 * v5;
-    const double v7 = wy * w1;
-    const four v8 = e1 * v7 - v2;
-    const four s1 = inverse1 * v8;
+    const double v2 = inverse1 * (d2 * wy);
+    const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
+    const double v4 = inverse1 * (d2 * X1);
+    const four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v9 = w3 - w3;
-    const double v10 = k4 * (N3 - k5);
-    const double s3 = k6 * v10;
-    const double v11 = k4 * w3;
-    const double v12 = k6 * v11;
+    const double v5 = w3 - w3;
+    const double v6 = k4 * (N3 - k5);
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * s3;
-    const double Y1_2 = d4 * v12;
-    const double v13 = Z1_3 * X1_2;
-    const double v14 = w1 * Y1_2;
-    const four S2 = v13 - v14 * (e1 * e2);
-    const double v15 = w1 * X1_2;
-    const double v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15;
-    const four v18 = e2 * v16;
-    const four C2 = v17 + v18;
-    const four v19 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v19);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v7 = e1 * e2;
+    const double v8 = m2 + m1 * N3;
+    const double v9 = Z1_3 * v8;
+    const four S2 = v9 - w3 * (m1 * (w1 * v7));
+    const four v10 = e2 * Z1_3;
+    const four v11 = w3 * (m1 * v10);
+    const four v12 = w1 * (e1 * v8);
+    const four C2 = v11 + v12;
+    const four v13 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v13);
 
     /* theta4 */
-    const four v20 = s3 * s2 + e2 * (v12 * c2);
-    const four s23 = s3 * c2 - e2 * (v12 * s2);
-    const four v21 = T23 * s1 - T13 * v6;
-    const four X4 = v20 * v21 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v6;
-    const four v22 = Y4 * Y4;
-    const four v23 = v22 + X4 * X4;
+    const double v14 = m5 * N3;
+    const double v15 = m4 + v14;
+    const four v16 = e1 * v15;
+    const double v17 = m6 - v14;
+    const double v18 = Z1_3 * (m8 * N3 - m7);
+    const four v19 = factor2 * (v18 + w3 * (w1 * (e2 * v16 + v7 * v17)));
+    const double v20 = v14 - m9;
+    const four v21 = e1 * v20;
+    const double v22 = m10 - v14;
+    const four v23 = e2 * v22;
+    const four v24 = m11 * e1;
+    const four v25 = m12 * e2;
+    const four v26 = m8 * (w3 * v10);
+    const four s23 = factor2 * (w1 * (N3 * (v21 + v7 * v23) - (v24 + v7 * v25)) - v26);
+    const four v27 = T23 * s1 - T13 * v3;
+    const four X4 = v19 * v27 - T33 * s23;
+    const four Y4 = T13 * s1 + T23 * v3;
+    const four v28 = Y4 * Y4;
+    const four v29 = v28 + X4 * X4;
 
     /* theta6 */
-    const four v24 = v6 * T22 + s1 * T12;
-    const four v25 = s1 * T22 - v6 * T12;
-    const four v26 = v6 * T21 + s1 * T11;
-    const four v27 = s1 * T21 - v6 * T11;
-    const four s6 = Y4 * (s23 * T31 - v20 * v27) - v26 * -X4;
+    const four v30 = v3 * T22 + s1 * T12;
+    const four v31 = s1 * T22 - v3 * T12;
+    const four v32 = v3 * T21 + s1 * T11;
+    const four v33 = s1 * T21 - v3 * T11;
+    const four s6 = Y4 * (s23 * T31 - v19 * v33) - v32 * -X4;
 
     /* joint values */
-    const double v29 = copysign(half_turn, v10);
-    const four v31 = h1 * copysign_four(all_four(half_turn), Y4);
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v19 <= m1) | (v23 <= m2));
+    const double v35 = copysign(half_turn, v6);
+    const four v37 = h1 * copysign_four(all_four(half_turn), Y4);
+    const four_mask doubt2 = (v13 <= m3) | (v29 <= m13);
+    const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (((shortest3_reach <=
+        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v20 * v25) - v24 * -X4);
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v19 * v31) - v30 * -X4);
     const four angle1_ = atan2_four(S2, C2);
     const four angle1___ = atan2_four(Y4, -X4);
-    const four angle1____ = atan2_four(sqrt_four(v23), -(T33 * v20 + s23 * v21));
-    const four packed5 = atan2_four(__builtin_shufflevector(v8, all_four(v10), 0, 5, 2, 3),
-        __builtin_shufflevector(-v5, all_four(-v11), 0, 5, 2, 3));
+    const four angle1____ = atan2_four(sqrt_four(v29), -(T33 * v19 + s23 * v27));
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
+        __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3));
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v28 = angle1_ - offset2;
-    const four q2_p = v28 + pick_four(v28 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v30 = e2 * angle1__ + v29 * (m3 * (1.0 - e2)) - offset3;
-    const four v32 = angle1___ - offset4;
-    const four v33 = angle1___ - v31 - offset4;
-    const four q4_p = v32 + pick_four(v32 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q4_m = v33 + pick_four(v33 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v34 = angle1____ - offset5;
-    const four v35 = offset5 + angle1____;
-    const four q5_p = v34 + pick_four(v34 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q5_m = pick_four(-v35 <= -half_turn, all_four(m4), all_four(0.0)) - v35;
-    const four q1_p = v9 + angle1_____;
-    const four q3_p = v1 + (v30 + pick_four(v30 <= -half_turn, all_four(m4), all_four(0.0)));
+    const four v34 = angle1_ - offset2;
+    const four q2_p = v34 + pick_four(v34 <= -half_turn, all_four(m15), all_four(0.0));
+    const four v36 = e2 * angle1__ + v35 * (m14 * (1.0 - e2)) - offset3;
+    const four v38 = angle1___ - offset4;
+    const four v39 = angle1___ - v37 - offset4;
+    const four q4_p = v38 + pick_four(v38 <= -half_turn, all_four(m15), all_four(0.0));
+    const four q4_m = v39 + pick_four(v39 <= -half_turn, all_four(m15), all_four(0.0));
+    const four v40 = angle1____ - offset5;
+    const four v41 = offset5 + angle1____;
+    const four q5_p = v40 + pick_four(v40 <= -half_turn, all_four(m15), all_four(0.0));
+    const four q5_m = pick_four(-v41 <= -half_turn, all_four(m15), all_four(0.0)) - v41;
+    const four q1_p = v5 + angle1_____;
+    const four q3_p = v1 + (v36 + pick_four(v36 <= -half_turn, all_four(m15), all_four(0.0)));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * DOOSAN_M1013_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -80,10 +80,20 @@ k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 4.8892683465610004e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 0.8064516129032259  # a coefficient of S2
+m2 = 0.057999193548387  # a coefficient of S2
+m3 = 4.8892683465610004e-48  # free_limit_squared2^2 [m^4]
+m4 = 0.08367360140283196  # a coefficient of v8
+m5 = 1.163442225320598  # a coefficient of v8
+m6 = 0.8107807814236438  # a coefficient of v8
+m7 = 0.06432826475849722  # a coefficient of v8
+m8 = 0.8944543828264757  # a coefficient of v8
+m9 = 0.7271071800208119  # a coefficient of s23
+m10 = 1.6215615628472875  # a coefficient of s23
+m13 = 1e-24  # free_limit^2
+m15 = 6.283185307179586  # 2 * half_turn
+h1 = 0.0643282647584972  # m11 + m12
+h2 = 1.0  # 2 * m14
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -525,171 +535,174 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = d2 * X1
-    v3 = d2 * wy
-    v4 = X1 * w1
-    v5 = v3 + v4
-    v6 = v3 - v4
-    v7 = inverse1 * v5
-    v8 = inverse1 * v6
-    v9 = wy * w1
-    v10 = v9 - v2
-    v11 = v2 + v9
-    s1_p = inverse1 * v10
-    v12 = inverse1 * v11
+    v2 = inverse1 * (d2 * wy)
+    v3 = v2 + w1 * (X1 * inverse1)
+    v4 = v2 + w1 * (inverse1 * -X1)
+    v5 = inverse1 * (d2 * X1)
+    s1_p = w1 * (wy * inverse1) - v5
+    s1_m = w1 * (inverse1 * -wy) - v5
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = D1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v13 = w3 - w3
-    v14 = k4 * (N3 - k5)
-    s3 = k6 * v14
-    v15 = k4 * w3
-    v16 = k6 * v15
+    v6 = w3 - w3
+    v7 = k4 * (N3 - k5)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = a2 + d4 * s3
-    Y1_2 = d4 * v16
-    v17 = Z1_3 * X1_2
-    v18 = w1 * Y1_2
-    S2_pp = v17 - v18
-    S2_pm = v17 + v18
-    v19 = w1 * X1_2
-    v20 = Z1_3 * Y1_2
-    C2_pp = v19 + v20
-    C2_pm = v19 - v20
-    v21 = S2_pp * S2_pp + C2_pp * C2_pp
-    v22 = S2_pm * S2_pm
-    v23 = v22 + C2_pm * C2_pm
-    v24 = v22 + -C2_pm * -C2_pm
-    factor2_pp = 1.0 / math.sqrt(v21)
-    factor2_pm = 1.0 / math.sqrt(v23)
-    factor2_mp = 1.0 / math.sqrt(v24)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = -C2_pm * factor2_mp
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_pm * factor2_mp
+    v8 = m2 + m1 * N3
+    v9 = Z1_3 * v8
+    v10 = w3 * (m1 * w1)
+    S2_pp = v9 - v10
+    S2_pm = v9 + v10
+    v11 = w3 * (m1 * Z1_3)
+    v12 = w3 * (m1 * -Z1_3)
+    v13 = w1 * v8
+    C2_pp = v11 + v13
+    C2_pm = v12 + v13
+    C2_mp = v11 - v13
+    C2_mm = v12 - v13
+    v14 = S2_pp * S2_pp
+    v15 = v14 + C2_pp * C2_pp
+    v16 = S2_pm * S2_pm
+    v17 = v16 + C2_pm * C2_pm
+    v18 = v16 + C2_mp * C2_mp
+    v19 = v14 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v15)
+    factor2_pm = 1.0 / math.sqrt(v17)
+    factor2_mp = 1.0 / math.sqrt(v18)
+    factor2_mm = 1.0 / math.sqrt(v19)
 
     # theta4, type 2: U4[3, 3]
-    v25 = s3 * s2_pp + v16 * c2_pp
-    v26 = s3 * s2_pm - v16 * c2_pm
-    v27 = s3 * s2_mp + v16 * c2_mp
-    s23_pp = s3 * c2_pp - v16 * s2_pp
-    s23_pm = s3 * c2_pm + v16 * s2_pm
-    s23_mp = s3 * c2_mp - v16 * s2_mp
-    v28 = T23 * s1_p - T13 * v7
-    v29 = T23 * v12 + T13 * v8
-    X4_pp = v25 * v28 - T33 * s23_pp
-    X4_pm = v26 * v28 - T33 * s23_pm
-    v30 = v27 * v29 + T33 * s23_mp
-    v31 = v25 * v29 + T33 * -s23_pp
-    Y4_p = T13 * s1_p + T23 * v7
-    Y4_m = T23 * v8 - T13 * v12
-    v32 = Y4_p * Y4_p
-    v33 = Y4_m * Y4_m
-    v34 = v32 + X4_pp * X4_pp
-    v35 = v32 + X4_pm * X4_pm
-    v36 = v33 + v30 * v30
-    v37 = v33 + v31 * v31
+    v20 = m5 * N3
+    v21 = m4 + v20
+    v22 = m6 - v20
+    v23 = Z1_3 * (m8 * N3 - m7)
+    v24 = v23 + w3 * (w1 * (v21 + v22))
+    v25 = factor2_pp * v24
+    v26 = v23 + w3 * (w1 * (-v22 - v21))
+    v27 = factor2_pm * v26
+    v28 = factor2_mp * v26
+    v29 = factor2_mm * v24
+    v30 = v20 - m9
+    v31 = m10 - v20
+    v32 = m8 * (Z1_3 * w3)
+    v33 = m8 * (w3 * -Z1_3)
+    v34 = w1 * (N3 * (v30 + v31) - h1)
+    s23_pp = factor2_pp * (v34 - v32)
+    s23_pm = factor2_pm * (v34 - v33)
+    v35 = w1 * (h1 + N3 * (-v30 + -v31))
+    s23_mp = factor2_mp * (v35 - v32)
+    s23_mm = factor2_mm * (v35 - v33)
+    v36 = T23 * s1_p - T13 * v3
+    v37 = T23 * s1_m - T13 * v4
+    X4_pp = v25 * v36 - T33 * s23_pp
+    X4_pm = v27 * v36 - T33 * s23_pm
+    X4_mp = v28 * v37 - T33 * s23_mp
+    X4_mm = v29 * v37 - T33 * s23_mm
+    Y4_p = T13 * s1_p + T23 * v3
+    Y4_m = T13 * s1_m + T23 * v4
+    v38 = Y4_p * Y4_p
+    v39 = Y4_m * Y4_m
+    v40 = v38 + X4_pp * X4_pp
+    v41 = v38 + X4_pm * X4_pm
+    v42 = v39 + X4_mp * X4_mp
+    v43 = v39 + X4_mm * X4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v38 = v7 * T22 + s1_p * T12
-    v39 = v8 * T22 - v12 * T12
-    v40 = s1_p * T22 - v7 * T12
-    v41 = v12 * T22 + v8 * T12
-    v42 = v7 * T21 + s1_p * T11
-    v43 = v8 * T21 - v12 * T11
-    v44 = s1_p * T21 - v7 * T11
-    v45 = v12 * T21 + v8 * T11
-    s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
-    s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
-    s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
-    s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
-    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp)
-    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm)
-    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39)
-    angle1___ = _atan2(s6_mm, Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39)
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+    v44 = v3 * T22 + s1_p * T12
+    v45 = v4 * T22 + s1_m * T12
+    v46 = s1_p * T22 - v3 * T12
+    v47 = s1_m * T22 - v4 * T12
+    v48 = v3 * T21 + s1_p * T11
+    v49 = v4 * T21 + s1_m * T11
+    v50 = s1_p * T21 - v3 * T11
+    v51 = s1_m * T21 - v4 * T11
+    s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp
+    s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm
+    s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp
+    s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm
+    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp)
+    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm)
+    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp)
+    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm)
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h2
+    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h2
+    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h2
+    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h2
 
     # joint values
     angle1____ = _atan2(S2_pp, C2_pp)
-    v46 = angle1____ - offset2
+    v52 = angle1____ - offset2
     angle1_____ = _atan2(S2_pm, C2_pm)
-    v47 = angle1_____ - offset2
-    angle1______ = _atan2(S2_pm, -C2_pm)
-    v48 = angle1______ - offset2
-    angle1_______ = _atan2(S2_pp, -C2_pp)
-    v49 = angle1_______ - offset2
-    q2_ppp = v46 + (m4 if v46 <= -half_turn else 0.0)
-    q2_pmp = v47 + (m4 if v47 <= -half_turn else 0.0)
-    q2_mpp = v48 + (m4 if v48 <= -half_turn else 0.0)
-    q2_mmp = v49 + (m4 if v49 <= -half_turn else 0.0)
-    angle1________ = _atan2(v14, -v15)
-    v50 = angle1________ - offset3
-    v51 = h1 * math.copysign(half_turn, v14) - angle1________ - offset3
+    v53 = angle1_____ - offset2
+    angle1______ = _atan2(S2_pm, C2_mp)
+    v54 = angle1______ - offset2
+    angle1_______ = _atan2(S2_pp, C2_mm)
+    v55 = angle1_______ - offset2
+    q2_ppp = v52 + (m15 if v52 <= -half_turn else 0.0)
+    q2_pmp = v53 + (m15 if v53 <= -half_turn else 0.0)
+    q2_mpp = v54 + (m15 if v54 <= -half_turn else 0.0)
+    q2_mmp = v55 + (m15 if v55 <= -half_turn else 0.0)
+    angle1________ = _atan2(v7, -(k4 * w3))
+    v56 = angle1________ - offset3
+    v57 = h2 * math.copysign(half_turn, v7) - angle1________ - offset3
     angle1_________ = _atan2(Y4_p, -X4_pp)
     angle1__________ = _atan2(Y4_p, -X4_pm)
-    angle1___________ = _atan2(Y4_m, v30)
-    angle1____________ = _atan2(Y4_m, v31)
-    v52 = h1 * math.copysign(half_turn, Y4_p)
-    v53 = h1 * math.copysign(half_turn, Y4_m)
-    v54 = angle1_________ - offset4
-    v55 = angle1_________ - v52 - offset4
-    v56 = angle1__________ - offset4
-    v57 = angle1__________ - v52 - offset4
-    v58 = angle1___________ - offset4
-    v59 = angle1___________ - v53 - offset4
-    v60 = angle1____________ - offset4
-    v61 = angle1____________ - v53 - offset4
-    q4_ppp = v54 + (m4 if v54 <= -half_turn else 0.0)
-    q4_ppm = v55 + (m4 if v55 <= -half_turn else 0.0)
-    q4_pmp = v56 + (m4 if v56 <= -half_turn else 0.0)
-    q4_pmm = v57 + (m4 if v57 <= -half_turn else 0.0)
-    q4_mpp = v58 + (m4 if v58 <= -half_turn else 0.0)
-    q4_mpm = v59 + (m4 if v59 <= -half_turn else 0.0)
-    q4_mmp = v60 + (m4 if v60 <= -half_turn else 0.0)
-    q4_mmm = v61 + (m4 if v61 <= -half_turn else 0.0)
-    v62 = T33 * v25
-    angle1_____________ = _atan2(math.sqrt(v34), -(v62 + s23_pp * v28))
-    angle1______________ = _atan2(math.sqrt(v35), -(T33 * v26 + s23_pm * v28))
-    angle1_______________ = _atan2(math.sqrt(v36), s23_mp * v29 - T33 * v27)
-    angle1________________ = _atan2(math.sqrt(v37), -s23_pp * v29 - v62)
-    v63 = angle1_____________ - offset5
-    v64 = offset5 + angle1_____________
-    v65 = angle1______________ - offset5
-    v66 = offset5 + angle1______________
-    v67 = angle1_______________ - offset5
-    v68 = offset5 + angle1_______________
-    v69 = angle1________________ - offset5
-    v70 = offset5 + angle1________________
-    q5_ppp = v63 + (m4 if v63 <= -half_turn else 0.0)
-    q5_ppm = (m4 if -v64 <= -half_turn else 0.0) - v64
-    q5_pmp = v65 + (m4 if v65 <= -half_turn else 0.0)
-    q5_pmm = (m4 if -v66 <= -half_turn else 0.0) - v66
-    q5_mpp = v67 + (m4 if v67 <= -half_turn else 0.0)
-    q5_mpm = (m4 if -v68 <= -half_turn else 0.0) - v68
-    q5_mmp = v69 + (m4 if v69 <= -half_turn else 0.0)
-    q5_mmm = (m4 if -v70 <= -half_turn else 0.0) - v70
-    angle1_________________ = _atan2(v10, -v5)
-    q1_ppp = v13 + angle1_________________
-    angle1__________________ = _atan2(-v11, -v6)
-    q1_mpp = v13 + angle1__________________
-    q3_ppp = v1 + (v50 + (m4 if v50 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v51 + (m4 if v51 <= -half_turn else 0.0))
-    v71 = v21 <= m1
-    doubt = (
-        v71 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or (shortest3_reach
-        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or
-        (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v71 or v34 <= m2))))
+    angle1___________ = _atan2(Y4_m, -X4_mp)
+    angle1____________ = _atan2(Y4_m, -X4_mm)
+    v58 = h2 * math.copysign(half_turn, Y4_p)
+    v59 = h2 * math.copysign(half_turn, Y4_m)
+    v60 = angle1_________ - offset4
+    v61 = angle1_________ - v58 - offset4
+    v62 = angle1__________ - offset4
+    v63 = angle1__________ - v58 - offset4
+    v64 = angle1___________ - offset4
+    v65 = angle1___________ - v59 - offset4
+    v66 = angle1____________ - offset4
+    v67 = angle1____________ - v59 - offset4
+    q4_ppp = v60 + (m15 if v60 <= -half_turn else 0.0)
+    q4_ppm = v61 + (m15 if v61 <= -half_turn else 0.0)
+    q4_pmp = v62 + (m15 if v62 <= -half_turn else 0.0)
+    q4_pmm = v63 + (m15 if v63 <= -half_turn else 0.0)
+    q4_mpp = v64 + (m15 if v64 <= -half_turn else 0.0)
+    q4_mpm = v65 + (m15 if v65 <= -half_turn else 0.0)
+    q4_mmp = v66 + (m15 if v66 <= -half_turn else 0.0)
+    q4_mmm = v67 + (m15 if v67 <= -half_turn else 0.0)
+    angle1_____________ = _atan2(math.sqrt(v40), -(T33 * v25 + s23_pp * v36))
+    angle1______________ = _atan2(math.sqrt(v41), -(T33 * v27 + s23_pm * v36))
+    angle1_______________ = _atan2(math.sqrt(v42), -(T33 * v28 + s23_mp * v37))
+    angle1________________ = _atan2(math.sqrt(v43), -(T33 * v29 + s23_mm * v37))
+    v68 = angle1_____________ - offset5
+    v69 = offset5 + angle1_____________
+    v70 = angle1______________ - offset5
+    v71 = offset5 + angle1______________
+    v72 = angle1_______________ - offset5
+    v73 = offset5 + angle1_______________
+    v74 = angle1________________ - offset5
+    v75 = offset5 + angle1________________
+    q5_ppp = v68 + (m15 if v68 <= -half_turn else 0.0)
+    q5_ppm = (m15 if -v69 <= -half_turn else 0.0) - v69
+    q5_pmp = v70 + (m15 if v70 <= -half_turn else 0.0)
+    q5_pmm = (m15 if -v71 <= -half_turn else 0.0) - v71
+    q5_mpp = v72 + (m15 if v72 <= -half_turn else 0.0)
+    q5_mpm = (m15 if -v73 <= -half_turn else 0.0) - v73
+    q5_mmp = v74 + (m15 if v74 <= -half_turn else 0.0)
+    q5_mmm = (m15 if -v75 <= -half_turn else 0.0) - v75
+    angle1_________________ = _atan2(s1_p, -v3)
+    q1_ppp = v6 + angle1_________________
+    angle1__________________ = _atan2(s1_m, -v4)
+    q1_mpp = v6 + angle1__________________
+    q3_ppp = v1 + (v56 + (m15 if v56 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v57 + (m15 if v57 <= -half_turn else 0.0))
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v43 <= m13 or (v19 <= m3 or (v42 <= m13
+        or (v18 <= m3 or (v41 <= m13 or (v17 <= m3 or (v40 <= m13 or (shortest3_reach <= N3 and N3
+        <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v15 <=
+        m3)))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -939,101 +952,103 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = d2 * X1
-            v3 = d2 * wy
-            v4 = X1 * w1
-            v5 = v3 + v4
-            v6 = v3 - v4
-            v7 = inverse1 * v5
-            v8 = inverse1 * v6
-            v9 = wy * w1
-            v10 = v9 - v2
-            v11 = v2 + v9
-            s1_p = inverse1 * v10
-            v12 = inverse1 * v11
+            v2 = inverse1 * (d2 * wy)
+            v3 = v2 + w1 * (X1 * inverse1)
+            v4 = v2 + w1 * (inverse1 * -X1)
+            v5 = inverse1 * (d2 * X1)
+            s1_p = w1 * (wy * inverse1) - v5
+            s1_m = w1 * (inverse1 * -wy) - v5
             Z1_3 = T34 - d6 * T33 - d1
             N3 = D1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v13 = w3 - w3
-            v14 = k4 * (N3 - k5)
-            s3 = k6 * v14
-            v15 = k4 * w3
-            v16 = k6 * v15
-            X1_2 = a2 + d4 * s3
-            Y1_2 = d4 * v16
-            v17 = Z1_3 * X1_2
-            v18 = w1 * Y1_2
-            S2_pp = v17 - v18
-            S2_pm = v17 + v18
-            v19 = w1 * X1_2
-            v20 = Z1_3 * Y1_2
-            C2_pp = v19 + v20
-            C2_pm = v19 - v20
-            v21 = S2_pp * S2_pp + C2_pp * C2_pp
-            v22 = S2_pm * S2_pm
-            v23 = v22 + C2_pm * C2_pm
-            v24 = v22 + -C2_pm * -C2_pm
-            factor2_pp = 1.0 / math.sqrt(v21)
-            factor2_pm = 1.0 / math.sqrt(v23)
-            factor2_mp = 1.0 / math.sqrt(v24)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = -C2_pm * factor2_mp
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_pm * factor2_mp
-            v25 = s3 * s2_pp + v16 * c2_pp
-            v26 = s3 * s2_pm - v16 * c2_pm
-            v27 = s3 * s2_mp + v16 * c2_mp
-            s23_pp = s3 * c2_pp - v16 * s2_pp
-            s23_pm = s3 * c2_pm + v16 * s2_pm
-            s23_mp = s3 * c2_mp - v16 * s2_mp
-            v28 = T23 * s1_p - T13 * v7
-            v29 = T23 * v12 + T13 * v8
-            X4_pp = v25 * v28 - T33 * s23_pp
-            X4_pm = v26 * v28 - T33 * s23_pm
-            v30 = v27 * v29 + T33 * s23_mp
-            v31 = v25 * v29 + T33 * -s23_pp
-            Y4_p = T13 * s1_p + T23 * v7
-            Y4_m = T23 * v8 - T13 * v12
-            v32 = Y4_p * Y4_p
-            v33 = Y4_m * Y4_m
-            v34 = v32 + X4_pp * X4_pp
-            v35 = v32 + X4_pm * X4_pm
-            v36 = v33 + v30 * v30
-            v37 = v33 + v31 * v31
-            v38 = v7 * T22 + s1_p * T12
-            v39 = v8 * T22 - v12 * T12
-            v40 = s1_p * T22 - v7 * T12
-            v41 = v12 * T22 + v8 * T12
-            v42 = v7 * T21 + s1_p * T11
-            v43 = v8 * T21 - v12 * T11
-            v44 = s1_p * T21 - v7 * T11
-            v45 = v12 * T21 + v8 * T11
-            s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
-            s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
-            s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
-            s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
-            v52 = h1 * math.copysign(half_turn, Y4_p)
-            v53 = h1 * math.copysign(half_turn, Y4_m)
-            v62 = T33 * v25
-            v71 = v21 <= m1
-            doubt = (
-                v71 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or
+            v6 = w3 - w3
+            v7 = k4 * (N3 - k5)
+            v8 = m2 + m1 * N3
+            v9 = Z1_3 * v8
+            v10 = w3 * (m1 * w1)
+            S2_pp = v9 - v10
+            S2_pm = v9 + v10
+            v11 = w3 * (m1 * Z1_3)
+            v12 = w3 * (m1 * -Z1_3)
+            v13 = w1 * v8
+            C2_pp = v11 + v13
+            C2_pm = v12 + v13
+            C2_mp = v11 - v13
+            C2_mm = v12 - v13
+            v14 = S2_pp * S2_pp
+            v15 = v14 + C2_pp * C2_pp
+            v16 = S2_pm * S2_pm
+            v17 = v16 + C2_pm * C2_pm
+            v18 = v16 + C2_mp * C2_mp
+            v19 = v14 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v15)
+            factor2_pm = 1.0 / math.sqrt(v17)
+            factor2_mp = 1.0 / math.sqrt(v18)
+            factor2_mm = 1.0 / math.sqrt(v19)
+            v20 = m5 * N3
+            v21 = m4 + v20
+            v22 = m6 - v20
+            v23 = Z1_3 * (m8 * N3 - m7)
+            v24 = v23 + w3 * (w1 * (v21 + v22))
+            v25 = factor2_pp * v24
+            v26 = v23 + w3 * (w1 * (-v22 - v21))
+            v27 = factor2_pm * v26
+            v28 = factor2_mp * v26
+            v29 = factor2_mm * v24
+            v30 = v20 - m9
+            v31 = m10 - v20
+            v32 = m8 * (Z1_3 * w3)
+            v33 = m8 * (w3 * -Z1_3)
+            v34 = w1 * (N3 * (v30 + v31) - h1)
+            s23_pp = factor2_pp * (v34 - v32)
+            s23_pm = factor2_pm * (v34 - v33)
+            v35 = w1 * (h1 + N3 * (-v30 + -v31))
+            s23_mp = factor2_mp * (v35 - v32)
+            s23_mm = factor2_mm * (v35 - v33)
+            v36 = T23 * s1_p - T13 * v3
+            v37 = T23 * s1_m - T13 * v4
+            X4_pp = v25 * v36 - T33 * s23_pp
+            X4_pm = v27 * v36 - T33 * s23_pm
+            X4_mp = v28 * v37 - T33 * s23_mp
+            X4_mm = v29 * v37 - T33 * s23_mm
+            Y4_p = T13 * s1_p + T23 * v3
+            Y4_m = T13 * s1_m + T23 * v4
+            v38 = Y4_p * Y4_p
+            v39 = Y4_m * Y4_m
+            v40 = v38 + X4_pp * X4_pp
+            v41 = v38 + X4_pm * X4_pm
+            v42 = v39 + X4_mp * X4_mp
+            v43 = v39 + X4_mm * X4_mm
+            v44 = v3 * T22 + s1_p * T12
+            v45 = v4 * T22 + s1_m * T12
+            v46 = s1_p * T22 - v3 * T12
+            v47 = s1_m * T22 - v4 * T12
+            v48 = v3 * T21 + s1_p * T11
+            v49 = v4 * T21 + s1_m * T11
+            v50 = s1_p * T21 - v3 * T11
+            v51 = s1_m * T21 - v4 * T11
+            s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp
+            s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm
+            s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp
+            s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm
+            v58 = h2 * math.copysign(half_turn, Y4_p)
+            v59 = h2 * math.copysign(half_turn, Y4_m)
+            doubt1 = (
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v43 <= m13 or (v19 <= m3 or
+                (v42 <= m13 or (v18 <= m3 or (v41 <= m13 or (v17 <= m3 or (v40 <= m13 or
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v71 or
-                v34 <= m2))))
+                < longest3_apart) or v15 <= m3)))))))))
             )
             work[544 + k] = v1
-            work[576 + k] = v13
-            work[608 + k] = v14
+            work[576 + k] = v6
+            work[608 + k] = v7
             work[640 + k] = s6_pp
             work[672 + k] = s6_pm
             work[704 + k] = s6_mp
             work[736 + k] = s6_mm
-            work[768 + k] = v52
-            work[800 + k] = v53
-            work[832 + k] = doubt
+            work[768 + k] = v58
+            work[800 + k] = v59
+            work[832 + k] = doubt1
             work[864 + k] = s6_pp
             work[896 + k] = s6_pm
             work[928 + k] = s6_mp
@@ -1042,49 +1057,49 @@ def _in_tiles(T, q, status):
             work[1024 + k] = S2_pm
             work[1056 + k] = S2_pm
             work[1088 + k] = S2_pp
-            work[1120 + k] = v14
+            work[1120 + k] = v7
             work[1152 + k] = Y4_p
             work[1184 + k] = Y4_p
             work[1216 + k] = Y4_m
             work[1248 + k] = Y4_m
-            work[1280 + k] = math.sqrt(v34)
-            work[1312 + k] = math.sqrt(v35)
-            work[1344 + k] = math.sqrt(v36)
-            work[1376 + k] = math.sqrt(v37)
-            work[1408 + k] = v10
-            work[1440 + k] = -v11
-            work[1472 + k] = Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp
-            work[1504 + k] = Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm
-            work[1536 + k] = Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39
-            work[1568 + k] = Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39
+            work[1280 + k] = math.sqrt(v40)
+            work[1312 + k] = math.sqrt(v41)
+            work[1344 + k] = math.sqrt(v42)
+            work[1376 + k] = math.sqrt(v43)
+            work[1408 + k] = s1_p
+            work[1440 + k] = s1_m
+            work[1472 + k] = Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp
+            work[1504 + k] = Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm
+            work[1536 + k] = Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp
+            work[1568 + k] = Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm
             work[1600 + k] = C2_pp
             work[1632 + k] = C2_pm
-            work[1664 + k] = -C2_pm
-            work[1696 + k] = -C2_pp
-            work[1728 + k] = -v15
+            work[1664 + k] = C2_mp
+            work[1696 + k] = C2_mm
+            work[1728 + k] = -(k4 * w3)
             work[1760 + k] = -X4_pp
             work[1792 + k] = -X4_pm
-            work[1824 + k] = v30
-            work[1856 + k] = v31
-            work[1888 + k] = -(v62 + s23_pp * v28)
-            work[1920 + k] = -(T33 * v26 + s23_pm * v28)
-            work[1952 + k] = s23_mp * v29 - T33 * v27
-            work[1984 + k] = -s23_pp * v29 - v62
-            work[2016 + k] = -v5
-            work[2048 + k] = -v6
+            work[1824 + k] = -X4_mp
+            work[1856 + k] = -X4_mm
+            work[1888 + k] = -(T33 * v25 + s23_pp * v36)
+            work[1920 + k] = -(T33 * v27 + s23_pm * v36)
+            work[1952 + k] = -(T33 * v28 + s23_mp * v37)
+            work[1984 + k] = -(T33 * v29 + s23_mm * v37)
+            work[2016 + k] = -v3
+            work[2048 + k] = -v4
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             v1 = work[544 + k]
-            v13 = work[576 + k]
-            v14 = work[608 + k]
+            v6 = work[576 + k]
+            v7 = work[608 + k]
             s6_pp = work[640 + k]
             s6_pm = work[672 + k]
             s6_mp = work[704 + k]
             s6_mm = work[736 + k]
-            v52 = work[768 + k]
-            v53 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            v58 = work[768 + k]
+            v59 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1104,56 +1119,56 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1376 + k]
             angle1_________________ = work[1408 + k]
             angle1__________________ = work[1440 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v46 = angle1____ - offset2
-            v47 = angle1_____ - offset2
-            v48 = angle1______ - offset2
-            v49 = angle1_______ - offset2
-            q2_ppp = v46 + (m4 if v46 <= -half_turn else 0.0)
-            q2_pmp = v47 + (m4 if v47 <= -half_turn else 0.0)
-            q2_mpp = v48 + (m4 if v48 <= -half_turn else 0.0)
-            q2_mmp = v49 + (m4 if v49 <= -half_turn else 0.0)
-            v50 = angle1________ - offset3
-            v51 = h1 * math.copysign(half_turn, v14) - angle1________ - offset3
-            v54 = angle1_________ - offset4
-            v55 = angle1_________ - v52 - offset4
-            v56 = angle1__________ - offset4
-            v57 = angle1__________ - v52 - offset4
-            v58 = angle1___________ - offset4
-            v59 = angle1___________ - v53 - offset4
-            v60 = angle1____________ - offset4
-            v61 = angle1____________ - v53 - offset4
-            q4_ppp = v54 + (m4 if v54 <= -half_turn else 0.0)
-            q4_ppm = v55 + (m4 if v55 <= -half_turn else 0.0)
-            q4_pmp = v56 + (m4 if v56 <= -half_turn else 0.0)
-            q4_pmm = v57 + (m4 if v57 <= -half_turn else 0.0)
-            q4_mpp = v58 + (m4 if v58 <= -half_turn else 0.0)
-            q4_mpm = v59 + (m4 if v59 <= -half_turn else 0.0)
-            q4_mmp = v60 + (m4 if v60 <= -half_turn else 0.0)
-            q4_mmm = v61 + (m4 if v61 <= -half_turn else 0.0)
-            v63 = angle1_____________ - offset5
-            v64 = offset5 + angle1_____________
-            v65 = angle1______________ - offset5
-            v66 = offset5 + angle1______________
-            v67 = angle1_______________ - offset5
-            v68 = offset5 + angle1_______________
-            v69 = angle1________________ - offset5
-            v70 = offset5 + angle1________________
-            q5_ppp = v63 + (m4 if v63 <= -half_turn else 0.0)
-            q5_ppm = (m4 if -v64 <= -half_turn else 0.0) - v64
-            q5_pmp = v65 + (m4 if v65 <= -half_turn else 0.0)
-            q5_pmm = (m4 if -v66 <= -half_turn else 0.0) - v66
-            q5_mpp = v67 + (m4 if v67 <= -half_turn else 0.0)
-            q5_mpm = (m4 if -v68 <= -half_turn else 0.0) - v68
-            q5_mmp = v69 + (m4 if v69 <= -half_turn else 0.0)
-            q5_mmm = (m4 if -v70 <= -half_turn else 0.0) - v70
-            q1_ppp = v13 + angle1_________________
-            q1_mpp = v13 + angle1__________________
-            q3_ppp = v1 + (v50 + (m4 if v50 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v51 + (m4 if v51 <= -half_turn else 0.0))
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h2
+            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h2
+            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h2
+            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h2
+            v52 = angle1____ - offset2
+            v53 = angle1_____ - offset2
+            v54 = angle1______ - offset2
+            v55 = angle1_______ - offset2
+            q2_ppp = v52 + (m15 if v52 <= -half_turn else 0.0)
+            q2_pmp = v53 + (m15 if v53 <= -half_turn else 0.0)
+            q2_mpp = v54 + (m15 if v54 <= -half_turn else 0.0)
+            q2_mmp = v55 + (m15 if v55 <= -half_turn else 0.0)
+            v56 = angle1________ - offset3
+            v57 = h2 * math.copysign(half_turn, v7) - angle1________ - offset3
+            v60 = angle1_________ - offset4
+            v61 = angle1_________ - v58 - offset4
+            v62 = angle1__________ - offset4
+            v63 = angle1__________ - v58 - offset4
+            v64 = angle1___________ - offset4
+            v65 = angle1___________ - v59 - offset4
+            v66 = angle1____________ - offset4
+            v67 = angle1____________ - v59 - offset4
+            q4_ppp = v60 + (m15 if v60 <= -half_turn else 0.0)
+            q4_ppm = v61 + (m15 if v61 <= -half_turn else 0.0)
+            q4_pmp = v62 + (m15 if v62 <= -half_turn else 0.0)
+            q4_pmm = v63 + (m15 if v63 <= -half_turn else 0.0)
+            q4_mpp = v64 + (m15 if v64 <= -half_turn else 0.0)
+            q4_mpm = v65 + (m15 if v65 <= -half_turn else 0.0)
+            q4_mmp = v66 + (m15 if v66 <= -half_turn else 0.0)
+            q4_mmm = v67 + (m15 if v67 <= -half_turn else 0.0)
+            v68 = angle1_____________ - offset5
+            v69 = offset5 + angle1_____________
+            v70 = angle1______________ - offset5
+            v71 = offset5 + angle1______________
+            v72 = angle1_______________ - offset5
+            v73 = offset5 + angle1_______________
+            v74 = angle1________________ - offset5
+            v75 = offset5 + angle1________________
+            q5_ppp = v68 + (m15 if v68 <= -half_turn else 0.0)
+            q5_ppm = (m15 if -v69 <= -half_turn else 0.0) - v69
+            q5_pmp = v70 + (m15 if v70 <= -half_turn else 0.0)
+            q5_pmm = (m15 if -v71 <= -half_turn else 0.0) - v71
+            q5_mpp = v72 + (m15 if v72 <= -half_turn else 0.0)
+            q5_mpm = (m15 if -v73 <= -half_turn else 0.0) - v73
+            q5_mmp = v74 + (m15 if v74 <= -half_turn else 0.0)
+            q5_mmm = (m15 if -v75 <= -half_turn else 0.0) - v75
+            q1_ppp = v6 + angle1_________________
+            q1_mpp = v6 + angle1__________________
+            q3_ppp = v1 + (v56 + (m15 if v56 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v57 + (m15 if v57 <= -half_turn else 0.0))
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp
@@ -1226,7 +1241,7 @@ def _in_tiles(T, q, status):
             work[3264 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -8,6 +8,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef EPSON_T3_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DEPSON_T3_SCALAR. With -DEPSON_T3_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(EPSON_T3_SCALAR) && !defined(EPSON_T3_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef EPSON_T3_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & EPSON_T3_UNREACHABLE) \
+        | (~(none) & (outside) & EPSON_T3_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)EPSON_T3_UNREACHABLE \
+        : (outside) ? (int)EPSON_T3_OUT_OF_LIMITS : 0)
+#endif
 static const double a1 = 0.225; /* link length 1 [m] */
 static const double a2 = 0.175; /* link length 2 [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
@@ -35,8 +337,11 @@ static const double high2 = 2.460914246312005; /* highest value of joint 2 */
 static const double low3 = -0.150000001; /* lowest value of joint 3 */
 static const double high3 = 1e-09; /* highest value of joint 3 */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m2 = 2.560000000000001e-50; /* free_limit_squared2^2 [m^4] */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double m2 = 2.2222222222222223; /* a coefficient of S1 */
+static const double m3 = 0.04444444444444444; /* a coefficient of S1 */
+static const double m4 = 2.8571428571428577; /* a coefficient of c12 */
+static const double m5 = 0.057142857142857155; /* a coefficient of c12 */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const epson_t3_branches[2] = {
     "down", "up",
@@ -49,12 +354,6 @@ static const double highest[4] = { 2.303834612632515, 2.4609142453120048, 0.0, 6
 static const int revolute[4] = { 1, 1, 0, 1 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[4] = { 1.0, 1.0, 6.249999999999999, 1.0 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void epson_t3_fk(const double q[4], double T[16])
 {
@@ -149,209 +448,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef EPSON_T3_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DEPSON_T3_SCALAR. With -DEPSON_T3_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(EPSON_T3_SCALAR) && !defined(EPSON_T3_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef EPSON_T3_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & EPSON_T3_UNREACHABLE) \
-        | (~(none) & (outside) & EPSON_T3_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)EPSON_T3_UNREACHABLE \
-        : (outside) ? (int)EPSON_T3_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
@@ -362,7 +458,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta12m4 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide_mask free12m4 = v1 <= m1;
     const wide v2 = 1.0 / sqrt_wide(v1);
     const wide c12m4 = T11 * v2;
     const wide s12m4 = T21 * v2;
@@ -370,72 +465,64 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta2 */
     const wide N2 = T14 * T14 + T24 * T24;
-    const wide K2 = N2 - k1;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide s2 = k2 * w2;
-    const wide c2 = k2 * K2;
-    const wide angle1_ = atan2_wide(w2, K2);
+    const wide angle1_ = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide X1_1 = a1 + a2 * c2;
-    const wide Y1_1 = a2 * s2;
-    const wide v3 = T24 * X1_1;
-    const wide v4 = T14 * Y1_1;
-    const wide S1_p = v3 - v4;
-    const wide S1_m = v3 + v4;
-    const wide v5 = T14 * X1_1;
-    const wide v6 = T24 * Y1_1;
-    const wide C1_p = v5 + v6;
-    const wide C1_m = v5 - v6;
-    const wide v7 = S1_p * S1_p + C1_p * C1_p;
-    const wide v8 = S1_m * S1_m + C1_m * C1_m;
-    const wide_mask free1_p = v7 <= m2;
-    const wide_mask free1_m = v8 <= m2;
-    const wide factor1_p = 1.0 / sqrt_wide(v7);
-    const wide factor1_m = 1.0 / sqrt_wide(v8);
-    const wide c1_p = C1_p * factor1_p;
-    const wide c1_m = C1_m * factor1_m;
-    const wide s1_p = S1_p * factor1_p;
-    const wide s1_m = S1_m * factor1_m;
+    const wide v3 = m3 + m2 * N2;
+    const wide v4 = T24 * v3;
+    const wide v5 = w2 * (m2 * T14);
+    const wide S1_p = v4 - v5;
+    const wide S1_m = v4 + v5;
+    const wide v6 = T14 * v3;
+    const wide v7 = w2 * (m2 * T24);
+    const wide C1_p = v6 + v7;
+    const wide C1_m = v6 - v7;
+    const wide factor1 = 1.0 / N2;
     const wide angle1__ = atan2_wide(S1_p, C1_p);
     const wide angle1___ = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const double v9 = sqrt(-1.0);
-    const wide v10 = pick_wide((abs_wide(1.0 + T33) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
+    const wide v8 = m4 * N2 - m5;
+    const wide v9 = T14 * v8;
+    const wide v10 = T24 * v8;
+    const double v11 = sqrt(-1.0);
+    const wide v12 = pick_wide((abs_wide(1.0 + T33) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
         & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(c12m4 + T22)
         <= pose_slack) & ((abs_wide(T21 - s12m4) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
         ((abs_wide(T11 - c12m4) <= pose_slack) & (abs_wide(T12 - s12m4) <= pose_slack)))))))),
-        all_wide(0.0), all_wide(v9));
-    const wide v11 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <=
-        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1),
-        all_wide(0.0), all_wide(v9));
-    const wide v12 = pick_wide((abs_wide(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <=
-        pose_slack1) & (abs_wide(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1),
-        all_wide(0.0), all_wide(v9));
+        all_wide(0.0), all_wide(v11));
+    const wide v13 = w2 * (m4 * T24);
+    const wide v14 = w2 * (m4 * T14);
+    const wide v15 = pick_wide((abs_wide(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <=
+        pose_slack1) & (abs_wide(T24 - factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1),
+        all_wide(0.0), all_wide(v11));
+    const wide v16 = pick_wide((abs_wide(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <=
+        pose_slack1) & (abs_wide(T24 - factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1),
+        all_wide(0.0), all_wide(v11));
 
     /* joint values */
-    const wide v13 = angle1_ + angle1__ - angle1;
-    const wide v14 = angle1___ - angle1_ - angle1;
-    const wide_mask v15 = (T34 < low3) | (high3 < T34);
-    const wide q1_p = v11 + (angle1__ + v10);
-    const wide q1_m = v12 + (angle1___ + v10);
-    const wide q2_p = v11 + (angle1_ + v10);
-    const wide q2_m = v12 + (v10 - angle1_);
-    const wide v16 = v10 + (T34 + (w2 - w2));
-    const wide q3_p = v11 + v16;
-    const wide q3_m = v12 + v16;
-    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m3), all_wide(0.0)) +
-        pick_wide(v13 <= -half_turn, all_wide(m3), all_wide(0.0))));
-    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m3), all_wide(0.0)) +
-        pick_wide(v14 <= -half_turn, all_wide(m3), all_wide(0.0))));
-    const wide_mask outside_p = v15 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
+    const wide v17 = angle1_ + angle1__ - angle1;
+    const wide v18 = angle1___ - angle1_ - angle1;
+    const wide_mask v19 = (T34 < low3) | (high3 < T34);
+    const wide q1_p = v15 + (angle1__ + v12);
+    const wide q1_m = v16 + (angle1___ + v12);
+    const wide q2_p = v15 + (angle1_ + v12);
+    const wide q2_m = v16 + (v12 - angle1_);
+    const wide v20 = v12 + (T34 + (w2 - w2));
+    const wide q3_p = v15 + v20;
+    const wide q3_m = v16 + v20;
+    const wide q4_p = v15 + (v12 + (v17 - pick_wide(half_turn < v17, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v17 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide q4_m = v16 + (v12 + (v18 - pick_wide(half_turn < v18, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v18 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide_mask outside_p = v19 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
         | (high2 < angle1_)));
-    const wide_mask outside_m = v15 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
+    const wide_mask outside_m = v19 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
         low2) | (high2 < -angle1_)));
-    const wide_mask doubt = (free1_m | (free12m4 | free1_m)) | ((free12m4 | (((shortest2_reach <=
-        N2) & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
-        (free1_p | (free12m4 | free1_p)));
+    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (v1 <= m1));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -448,73 +535,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
@@ -526,111 +550,69 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta12m4 */
     const double v1 = T21 * T21 + T11 * T11;
-    const int free12m4 = v1 <= m1;
     const double v2 = 1.0 / sqrt(v1);
     const double c12m4 = T11 * v2;
     const double s12m4 = T21 * v2;
 
     /* theta2 */
     const double N2 = T14 * T14 + T24 * T24;
-    const double K2 = N2 - k1;
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
-    const double s2 = k2 * w2;
-    const double c2 = k2 * K2;
 
     /* theta1 */
-    const double X1_1 = a1 + a2 * c2;
-    const double Y1_1 = a2 * s2;
-    const double v3 = T24 * X1_1;
-    const double v4 = T14 * Y1_1;
-    const four S1 = v3 - e1 * v4;
-    const double v5 = T14 * X1_1;
-    const double v6 = T24 * Y1_1;
-    const four C1 = v5 + e1 * v6;
-    const four v7 = S1 * S1 + C1 * C1;
-    const four_mask free1 = v7 <= m2;
-    const four factor1 = 1.0 / sqrt_four(v7);
-    const four c1 = C1 * factor1;
-    const four s1 = S1 * factor1;
+    const four v3 = e1 * T14;
+    const double v4 = m3 + m2 * N2;
+    const double v5 = T24 * v4;
+    const four S1 = v5 - w2 * (m2 * v3);
+    const four v6 = e1 * T24;
+    const double v7 = T14 * v4;
+    const four C1 = v7 + w2 * (m2 * v6);
+    const double factor1 = 1.0 / N2;
 
     /* is the pose one that the arm can take? */
-    const double v8 = sqrt(-1.0);
-    const double v9 = ((fabs(1.0 + T33) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31) <=
-        pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(c12m4 + T22) <= pose_slack) & ((fabs(T21 -
-        s12m4) <= pose_slack) & ((fabs(T13) <= pose_slack) & ((fabs(T11 - c12m4) <= pose_slack) &
-        (fabs(T12 - s12m4) <= pose_slack))))))))) ? 0.0 : v8;
-    const four v10 = pick_four((abs_four(T14 - (a2 * (c2 * c1 - e1 * (s2 * s1)) + a1 * c1)) <=
-        pose_slack1) & (abs_four(T24 - (a2 * (c2 * s1 + e1 * (s2 * c1)) + a1 * s1)) <= pose_slack1),
-        all_four(0.0), all_four(v8));
+    const double v8 = m4 * N2 - m5;
+    const double v9 = T14 * v8;
+    const double v10 = T24 * v8;
+    const double v11 = sqrt(-1.0);
+    const double v12 = ((fabs(1.0 + T33) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31)
+        <= pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(c12m4 + T22) <= pose_slack) &
+        ((fabs(T21 - s12m4) <= pose_slack) & ((fabs(T13) <= pose_slack) & ((fabs(T11 - c12m4) <=
+        pose_slack) & (fabs(T12 - s12m4) <= pose_slack))))))))) ? 0.0 : v11;
+    const four v13 = pick_four((abs_four(T14 - factor1 * (a2 * (v9 - w2 * (m4 * v6)) + a1 * C1)) <=
+        pose_slack1) & (abs_four(T24 - factor1 * (a2 * (v10 + w2 * (m4 * v3)) + a1 * S1)) <=
+        pose_slack1), all_four(0.0), all_four(v11));
 
     /* joint values */
-    const int v13 = (T34 < low3) | (high3 < T34);
-    const double v14 = v9 + (T34 + (w2 - w2));
-    const four q3 = v10 + v14;
-    const int doubt1 = free12m4 | (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free1 | ((all_four(free12m4 ?
-        1.0 : 0.0) > 0.0) | free1));
+    const int v16 = (T34 < low3) | (high3 < T34);
+    const double v17 = v12 + (T34 + (w2 - w2));
+    const four q3 = v13 + v17;
+    const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
+        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) | (v1 <= m1));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
         all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3),
-        all_four(K2), 0, 1, 2, 7));
+        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3), all_four(N2
+        - k1), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v11 = e1 * angle1_;
-    const four v12 = angle1__ + v11 - angle1;
-    const four q1 = v10 + (angle1__ + v9);
-    const four q2 = v10 + (v9 + v11);
-    const four q4 = v10 + (v9 + (v12 - pick_four(half_turn < v12, all_four(m3), all_four(0.0)) +
-        pick_four(v12 <= -half_turn, all_four(m3), all_four(0.0))));
-    const four_mask outside = (all_four(v13 ? 1.0 : 0.0) > 0.0) | (((angle1__ < low1) | (high1 <
-        angle1__)) | ((v11 < low2) | (high2 < v11)));
+    const four v14 = e1 * angle1_;
+    const four v15 = angle1__ + v14 - angle1;
+    const four q1 = v13 + (angle1__ + v12);
+    const four q2 = v13 + (v12 + v14);
+    const four q4 = v13 + (v12 + (v15 - pick_four(half_turn < v15, all_four(m6), all_four(0.0)) +
+        pick_four(v15 <= -half_turn, all_four(m6), all_four(0.0))));
+    const four_mask outside = where_four(v16) | (((angle1__ < low1) | (high1 < angle1__)) | ((v14 <
+        low2) | (high2 < v14)));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
-    const four_mask kind1 = kind_of(q1 != q1, outside);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * EPSON_T3_UNREACHABLE + (outside1 & ~none1) *
+        EPSON_T3_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -69,8 +69,11 @@ high2 = 2.460914246312005  # highest value of joint 2
 low3 = -0.150000001  # lowest value of joint 3
 high3 = 1e-09  # highest value of joint 3
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 2.560000000000001e-50  # free_limit_squared2^2 [m^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 2.2222222222222223  # a coefficient of S1
+m3 = 0.04444444444444444  # a coefficient of S1
+m4 = 2.8571428571428577  # a coefficient of c12
+m5 = 0.057142857142857155  # a coefficient of c12
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -353,7 +356,6 @@ def _regular(pose, q, status):
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    free12m4 = v1 <= m1
     v2 = 1.0 / math.sqrt(v1)
     c12m4 = T11 * v2
     s12m4 = T21 * v2
@@ -361,81 +363,72 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    K2 = N2 - k1
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    s2 = k2 * w2
-    c2 = k2 * K2
-    angle1_ = _atan2(w2, K2)
+    angle1_ = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    X1_1 = a1 + a2 * c2
-    Y1_1 = a2 * s2
-    v3 = T24 * X1_1
-    v4 = T14 * Y1_1
-    S1_p = v3 - v4
-    S1_m = v3 + v4
-    v5 = T14 * X1_1
-    v6 = T24 * Y1_1
-    C1_p = v5 + v6
-    C1_m = v5 - v6
-    v7 = S1_p * S1_p + C1_p * C1_p
-    v8 = S1_m * S1_m + C1_m * C1_m
-    free1_p = v7 <= m2
-    free1_m = v8 <= m2
-    factor1_p = 1.0 / math.sqrt(v7)
-    factor1_m = 1.0 / math.sqrt(v8)
-    c1_p = C1_p * factor1_p
-    c1_m = C1_m * factor1_m
-    s1_p = S1_p * factor1_p
-    s1_m = S1_m * factor1_m
+    v3 = m3 + m2 * N2
+    v4 = T24 * v3
+    v5 = w2 * (m2 * T14)
+    S1_p = v4 - v5
+    S1_m = v4 + v5
+    v6 = T14 * v3
+    v7 = w2 * (m2 * T24)
+    C1_p = v6 + v7
+    C1_m = v6 - v7
+    factor1 = 1.0 / N2
     angle1__ = _atan2(S1_p, C1_p)
     angle1___ = _atan2(S1_m, C1_m)
 
     # is the pose one that the arm can take?
-    v9 = math.sqrt(-1.0)
-    v10 = (
+    v8 = m4 * N2 - m5
+    v9 = T14 * v8
+    v10 = T24 * v8
+    v11 = math.sqrt(-1.0)
+    v12 = (
         0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
         and (abs(T23) <= pose_slack and (abs(c12m4 + T22) <= pose_slack and (abs(T21 - s12m4) <=
         pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c12m4) <= pose_slack and abs(T12 -
-        s12m4) <= pose_slack)))))))) else v9
+        s12m4) <= pose_slack)))))))) else v11
     )
-    v11 = (
-        0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <= pose_slack1 and abs(T24 -
-        (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1) else v9
+    v13 = w2 * (m4 * T24)
+    v14 = w2 * (m4 * T14)
+    v15 = (
+        0.0 if (abs(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <= pose_slack1 and abs(T24 -
+        factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1) else v11
     )
-    v12 = (
-        0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <= pose_slack1 and abs(T24 -
-        (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1) else v9
+    v16 = (
+        0.0 if (abs(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <= pose_slack1 and abs(T24 -
+        factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1) else v11
     )
 
     # joint values
-    v13 = angle1_ + angle1__ - angle1
-    v14 = angle1___ - angle1_ - angle1
-    v15 = T34 < low3 or high3 < T34
-    q1_p = v11 + (angle1__ + v10)
-    q1_m = v12 + (angle1___ + v10)
-    q2_p = v11 + (angle1_ + v10)
-    q2_m = v12 + (v10 - angle1_)
-    v16 = v10 + (T34 + (w2 - w2))
-    q3_p = v11 + v16
-    q3_m = v12 + v16
+    v17 = angle1_ + angle1__ - angle1
+    v18 = angle1___ - angle1_ - angle1
+    v19 = T34 < low3 or high3 < T34
+    q1_p = v15 + (angle1__ + v12)
+    q1_m = v16 + (angle1___ + v12)
+    q2_p = v15 + (angle1_ + v12)
+    q2_m = v16 + (v12 - angle1_)
+    v20 = v12 + (T34 + (w2 - w2))
+    q3_p = v15 + v20
+    q3_m = v16 + v20
     q4_p = (
-        v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else 0.0)))
+        v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else 0.0)))
+        v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else 0.0)))
     )
-    outside_p = v15 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
+    outside_p = v19 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
     outside_m = (
-        v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
+        v19 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
     )
-    doubt = (
-        free1_m or (free12m4 or free1_m) or (free12m4 or shortest2_reach <= N2 and N2 <=
-        longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-        (free12m4 or free1_p)))
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -628,107 +621,97 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T21 * T21 + T11 * T11
-            free12m4 = v1 <= m1
             v2 = 1.0 / math.sqrt(v1)
             c12m4 = T11 * v2
             s12m4 = T21 * v2
             N2 = T14 * T14 + T24 * T24
-            K2 = N2 - k1
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            s2 = k2 * w2
-            c2 = k2 * K2
-            X1_1 = a1 + a2 * c2
-            Y1_1 = a2 * s2
-            v3 = T24 * X1_1
-            v4 = T14 * Y1_1
-            S1_p = v3 - v4
-            S1_m = v3 + v4
-            v5 = T14 * X1_1
-            v6 = T24 * Y1_1
-            C1_p = v5 + v6
-            C1_m = v5 - v6
-            v7 = S1_p * S1_p + C1_p * C1_p
-            v8 = S1_m * S1_m + C1_m * C1_m
-            free1_p = v7 <= m2
-            free1_m = v8 <= m2
-            factor1_p = 1.0 / math.sqrt(v7)
-            factor1_m = 1.0 / math.sqrt(v8)
-            c1_p = C1_p * factor1_p
-            c1_m = C1_m * factor1_m
-            s1_p = S1_p * factor1_p
-            s1_m = S1_m * factor1_m
-            v9 = math.sqrt(-1.0)
-            v10 = (
+            v3 = m3 + m2 * N2
+            v4 = T24 * v3
+            v5 = w2 * (m2 * T14)
+            S1_p = v4 - v5
+            S1_m = v4 + v5
+            v6 = T14 * v3
+            v7 = w2 * (m2 * T24)
+            C1_p = v6 + v7
+            C1_m = v6 - v7
+            factor1 = 1.0 / N2
+            v8 = m4 * N2 - m5
+            v9 = T14 * v8
+            v10 = T24 * v8
+            v11 = math.sqrt(-1.0)
+            v12 = (
                 0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
                 pose_slack and (abs(T23) <= pose_slack and (abs(c12m4 + T22) <= pose_slack and
                 (abs(T21 - s12m4) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c12m4) <=
-                pose_slack and abs(T12 - s12m4) <= pose_slack)))))))) else v9
+                pose_slack and abs(T12 - s12m4) <= pose_slack)))))))) else v11
             )
-            v11 = (
-                0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + a1 * c1_p)) <= pose_slack1 and
-                abs(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + a1 * s1_p)) <= pose_slack1) else v9
+            v13 = w2 * (m4 * T24)
+            v14 = w2 * (m4 * T14)
+            v15 = (
+                0.0 if (abs(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <= pose_slack1 and
+                abs(T24 - factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1) else v11
             )
-            v12 = (
-                0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + a1 * c1_m)) <= pose_slack1 and
-                abs(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + a1 * s1_m)) <= pose_slack1) else v9
+            v16 = (
+                0.0 if (abs(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <= pose_slack1 and
+                abs(T24 - factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1) else v11
             )
-            v15 = T34 < low3 or high3 < T34
-            v16 = v10 + (T34 + (w2 - w2))
-            q3_p = v11 + v16
-            q3_m = v12 + v16
-            doubt = (
-                free1_m or (free12m4 or free1_m) or (free12m4 or shortest2_reach <= N2 and N2 <=
-                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-                (free12m4 or free1_p)))
+            v19 = T34 < low3 or high3 < T34
+            v20 = v12 + (T34 + (w2 - w2))
+            q3_p = v15 + v20
+            q3_m = v16 + v20
+            doubt1 = (
+                shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v10
-            work[576 + k] = v11
-            work[608 + k] = v12
-            work[640 + k] = v15
+            work[544 + k] = v12
+            work[576 + k] = v15
+            work[608 + k] = v16
+            work[640 + k] = v19
             work[672 + k] = q3_p
             work[704 + k] = q3_m
-            work[736 + k] = doubt
+            work[736 + k] = doubt1
             work[768 + k] = T21
             work[800 + k] = w2
             work[832 + k] = S1_p
             work[864 + k] = S1_m
             work[896 + k] = T11
-            work[928 + k] = K2
+            work[928 + k] = N2 - k1
             work[960 + k] = C1_p
             work[992 + k] = C1_m
         for k in range(768, 896):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[544 + k]
-            v11 = work[576 + k]
-            v12 = work[608 + k]
-            v15 = work[640 + k] != 0.0
+            v12 = work[544 + k]
+            v15 = work[576 + k]
+            v16 = work[608 + k]
+            v19 = work[640 + k] != 0.0
             q3_p = work[672 + k]
             q3_m = work[704 + k]
-            doubt = work[736 + k] != 0.0
+            doubt1 = work[736 + k] != 0.0
             angle1 = work[768 + k]
             angle1_ = work[800 + k]
             angle1__ = work[832 + k]
             angle1___ = work[864 + k]
-            v13 = angle1_ + angle1__ - angle1
-            v14 = angle1___ - angle1_ - angle1
-            q1_p = v11 + (angle1__ + v10)
-            q1_m = v12 + (angle1___ + v10)
-            q2_p = v11 + (angle1_ + v10)
-            q2_m = v12 + (v10 - angle1_)
+            v17 = angle1_ + angle1__ - angle1
+            v18 = angle1___ - angle1_ - angle1
+            q1_p = v15 + (angle1__ + v12)
+            q1_m = v16 + (angle1___ + v12)
+            q2_p = v15 + (angle1_ + v12)
+            q2_m = v16 + (v12 - angle1_)
             q4_p = (
-                v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else
+                v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
+                v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
                 0.0)))
             )
             outside_p = (
-                v15 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
+                v19 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
             )
             outside_m = (
-                v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
+                v19 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
                 -angle1_))
             )
             _1024 = q1_p
@@ -749,7 +732,7 @@ def _in_tiles(T, q, status):
             work[1248 + k] = _1248
             work[1280 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_p else OK)
             work[1312 + k] = UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_m else OK)
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

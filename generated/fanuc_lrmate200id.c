@@ -9,6 +9,309 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef FANUC_LRMATE200ID_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DFANUC_LRMATE200ID_SCALAR. With -DFANUC_LRMATE200ID_LIBM the arctangents are those of <math.h>,
+ * too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(FANUC_LRMATE200ID_SCALAR) && !defined(FANUC_LRMATE200ID_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef FANUC_LRMATE200ID_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & FANUC_LRMATE200ID_UNREACHABLE) \
+        | (~(none) & (outside) & FANUC_LRMATE200ID_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE \
+        : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.33; /* joint offset 1 [m] */
 static const double a1 = 0.05; /* link length 1 [m] */
 static const double a2 = 0.33; /* link length 2 [m] */
@@ -47,9 +350,14 @@ static const double high3 = 3.5779249675883755; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
 static const double m1 = 1.3456000000000002e-24; /* free_limit1^2 [m^2] */
-static const double m3 = 1.8106393600000007e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 1.5151515151515151; /* a coefficient of Y1_2 */
+static const double m4 = 0.006893939393939396; /* a coefficient of Y1_2 */
+static const double m5 = 0.15425297487880124; /* a coefficient of c2m3 */
+static const double m6 = 1.4764213309828118; /* a coefficient of c2m3 */
+static const double m7 = 0.006717717055971795; /* a coefficient of c2m3 */
+static const double m8 = 0.0007018510356985458; /* a coefficient of c2m3 */
+static const double m9 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const fanuc_lrmate200id_branches[8] = {
@@ -65,12 +373,6 @@ static const double highest[6] = {
     2.9670597283903604, 2.530727415391778, 3.5779249665883754, 3.3161255787892263,
     2.181661564992912, 6.283185307179586,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {
@@ -244,210 +546,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef FANUC_LRMATE200ID_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DFANUC_LRMATE200ID_SCALAR. With -DFANUC_LRMATE200ID_LIBM the arctangents are those of <math.h>,
- * too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(FANUC_LRMATE200ID_SCALAR) && !defined(FANUC_LRMATE200ID_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef FANUC_LRMATE200ID_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & FANUC_LRMATE200ID_UNREACHABLE) \
-        | (~(none) & (outside) & FANUC_LRMATE200ID_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)FANUC_LRMATE200ID_UNREACHABLE \
-        : (outside) ? (int)FANUC_LRMATE200ID_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -474,186 +572,162 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = Z1_3 * Z1_3;
     const wide N3_p = v5 + v3 * v3;
     const wide N3_m = v5 + v4 * v4;
-    const wide K3_p = N3_p - k3;
-    const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = k1 * K3_p;
-    const wide v7 = k1 * K3_m;
-    const wide v8 = k2 * w3_p;
-    const wide v9 = k2 * w3_m;
-    const wide s3_pp = k4 * (v6 + v8);
-    const wide s3_pm = k4 * (v6 - v8);
-    const wide s3_mp = k4 * (v7 + v9);
-    const wide s3_mm = k4 * (v7 - v9);
-    const wide v10 = k2 * K3_p;
-    const wide v11 = k2 * K3_m;
-    const wide v12 = k1 * w3_p;
-    const wide v13 = k1 * w3_m;
-    const wide c3_pp = k4 * (v10 - v12);
-    const wide c3_pm = k4 * (v10 + v12);
-    const wide c3_mp = k4 * (v11 - v13);
-    const wide c3_mm = k4 * (v11 + v13);
-    const wide angle1_ = atan2_wide(w3_p, K3_p);
-    const wide angle1__ = atan2_wide(w3_m, K3_m);
+    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
+    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle1_ - turn1;
-    const wide v14 = turn1 + angle1_;
+    const wide v6 = turn1 + angle1_;
     const wide q3__mp = angle1__ - turn1;
-    const wide v15 = turn1 + angle1__;
+    const wide v7 = turn1 + angle1__;
 
     /* theta2 */
-    const wide X1_2_pp = a3 * s3_pp - d4 * c3_pp;
-    const wide X1_2_pm = a3 * s3_pm - d4 * c3_pm;
-    const wide X1_2_mp = a3 * s3_mp - d4 * c3_mp;
-    const wide X1_2_mm = a3 * s3_mm - d4 * c3_mm;
-    const wide Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp);
-    const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
-    const wide Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
-    const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm;
-    const wide v20 = v16 * v16 + C2_pp * C2_pp;
-    const wide v21 = v17 * v17 + C2_pm * C2_pm;
-    const wide v22 = v18 * v18 + C2_mp * C2_mp;
-    const wide v23 = v19 * v19 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v20);
-    const wide factor2_pm = 1.0 / sqrt_wide(v21);
-    const wide factor2_mp = 1.0 / sqrt_wide(v22);
-    const wide factor2_mm = 1.0 / sqrt_wide(v23);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide v24 = v16 * factor2_pp;
-    const wide v25 = v17 * factor2_pm;
-    const wide v26 = v18 * factor2_mp;
-    const wide v27 = v19 * factor2_mm;
+    const wide Y1_2_p = m3 * N3_p - m4;
+    const wide Y1_2_m = m3 * N3_m - m4;
+    const wide v8 = Z1_3 * Y1_2_p;
+    const wide v9 = Z1_3 * Y1_2_m;
+    const wide v10 = m3 * Z1_3;
+    const wide v11 = m3 * -Z1_3;
+    const wide v12 = v3 * -Y1_2_p;
+    const wide v13 = v4 * -Y1_2_m;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide c2m3_pp = c3_pp * c2_pp - s3_pp * v24;
-    const wide c2m3_pm = c3_pm * c2_pm - s3_pm * v25;
-    const wide c2m3_mp = c3_mp * c2_mp - s3_mp * v26;
-    const wide c2m3_mm = c3_mm * c2_mm - s3_mm * v27;
-    const wide v28 = c3_pp * v24 + s3_pp * c2_pp;
-    const wide v29 = c3_pm * v25 + s3_pm * c2_pm;
-    const wide v30 = c3_mp * v26 + s3_mp * c2_mp;
-    const wide v31 = c3_mm * v27 + s3_mm * c2_mm;
-    const wide v32 = T21 * s1 - T11 * v2;
-    const wide X4_pp = T31 * v28 + c2m3_pp * v32;
-    const wide X4_pm = T31 * v29 + c2m3_pm * v32;
-    const wide X4_mp = T31 * v30 - c2m3_mp * v32;
-    const wide X4_mm = T31 * v31 - c2m3_mm * v32;
+    const wide v14 = m5 * Z1_3;
+    const wide v15 = m6 * v3 - v14;
+    const wide v16 = m6 * v4 - v14;
+    const wide v17 = m6 + m7 * factor2_p;
+    const wide v18 = m6 + m7 * factor2_m;
+    const wide v19 = m5 + m8 * factor2_p;
+    const wide v20 = m5 + m8 * factor2_m;
+    const wide v21 = Z1_3 * v17 + v3 * v19;
+    const wide v22 = Z1_3 * v18 + v4 * v20;
+    const wide c2m3_pp = w3_p * (factor2_p * v15) - v21;
+    const wide c2m3_pm = w3_p * (factor2_p * -v15) - v21;
+    const wide c2m3_mp = w3_m * (factor2_m * v16) - v22;
+    const wide c2m3_mm = w3_m * (factor2_m * -v16) - v22;
+    const wide v23 = m6 * Z1_3;
+    const wide v24 = v3 * v17 - Z1_3 * v19;
+    const wide v25 = v4 * v18 - Z1_3 * v20;
+    const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
+    const wide s2m3_pp = v24 + v26;
+    const wide s2m3_pm = v24 - v26;
+    const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
+    const wide s2m3_mp = v25 + v27;
+    const wide s2m3_mm = v25 - v27;
+    const wide v28 = T21 * s1 - T11 * v2;
+    const wide X4_pp = c2m3_pp * v28 - T31 * s2m3_pp;
+    const wide X4_pm = c2m3_pm * v28 - T31 * s2m3_pm;
+    const wide v29 = c2m3_mp * v28 + T31 * s2m3_mp;
+    const wide v30 = c2m3_mm * v28 + T31 * s2m3_mm;
     const wide Y4 = T11 * s1 + T21 * v2;
-    const wide v33 = Y4 * Y4;
-    const wide v34 = v33 + X4_pp * X4_pp;
-    const wide v35 = v33 + X4_pm * X4_pm;
-    const wide v36 = v33 + X4_mp * X4_mp;
-    const wide v37 = v33 + X4_mm * X4_mm;
+    const wide v31 = Y4 * Y4;
+    const wide v32 = v31 + X4_pp * X4_pp;
+    const wide v33 = v31 + X4_pm * X4_pm;
+    const wide v34 = v31 + v29 * v29;
+    const wide v35 = v31 + v30 * v30;
     const wide angle1___ = atan2_wide(Y4, -X4_pp);
     const wide angle1____ = atan2_wide(Y4, -X4_pm);
-    const wide angle1_____ = atan2_wide(-Y4, -X4_mp);
-    const wide angle1______ = atan2_wide(-Y4, -X4_mm);
-    const wide v38 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v39 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1___ - v38;
-    const wide q4_pmm = angle1____ - v38;
-    const wide q4_mpm = angle1_____ - v39;
-    const wide q4_mmm = angle1______ - v39;
+    const wide angle1_____ = atan2_wide(-Y4, v29);
+    const wide angle1______ = atan2_wide(-Y4, v30);
+    const wide v36 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1___ - v36;
+    const wide q4_pmm = angle1____ - v36;
+    const wide q4_mpm = angle1_____ - v37;
+    const wide q4_mmm = angle1______ - v37;
 
     /* theta6 */
-    const wide v40 = v2 * T22 + s1 * T12;
-    const wide v41 = s1 * T22 - v2 * T12;
-    const wide v42 = v2 * T23 + s1 * T13;
-    const wide v43 = s1 * T23 - v2 * T13;
-    const wide v44 = X4_pp * v42 - Y4 * (v28 * T33 + c2m3_pp * v43);
-    const wide v45 = X4_pm * v42 - Y4 * (v29 * T33 + c2m3_pm * v43);
-    const wide v46 = Y4 * (v30 * T33 - c2m3_mp * v43) - X4_mp * v42;
-    const wide v47 = Y4 * (v31 * T33 - c2m3_mm * v43) - X4_mm * v42;
-    const wide angle1_______ = atan2_wide(v44, X4_pp * v40 - Y4 * (v28 * T32 + c2m3_pp * v41));
-    const wide angle1________ = atan2_wide(v45, X4_pm * v40 - Y4 * (v29 * T32 + c2m3_pm * v41));
-    const wide angle1_________ = atan2_wide(v46, Y4 * (v30 * T32 - c2m3_mp * v41) - X4_mp * v40);
-    const wide angle1__________ = atan2_wide(v47, Y4 * (v31 * T32 - c2m3_mm * v41) - X4_mm * v40);
-    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide v38 = v2 * T22 + s1 * T12;
+    const wide v39 = s1 * T22 - v2 * T12;
+    const wide v40 = v2 * T23 + s1 * T13;
+    const wide v41 = s1 * T23 - v2 * T13;
+    const wide v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40;
+    const wide v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40;
+    const wide v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41);
+    const wide v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41);
+    const wide angle1_______ = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38);
+    const wide angle1________ = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm *
+        v38);
+    const wide angle1_________ = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39));
+    const wide angle1__________ = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
+    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
-    const wide angle1___________ = atan2_wide(-v16, C2_pp);
-    const wide v48 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(-v17, C2_pm);
-    const wide v49 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(-v18, C2_mp);
-    const wide v50 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(-v19, C2_mm);
-    const wide v51 = angle1______________ - offset2;
-    const wide q2_ppp = v48 - pick_wide(half_turn < v48, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v49 - pick_wide(half_turn < v49, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v50 - pick_wide(half_turn < v50, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v51 - pick_wide(half_turn < v51, all_wide(m5), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v34), T31 * c2m3_pp - v28 * v32);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v35), T31 * c2m3_pm - v29 * v32);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v36), T31 * c2m3_mp + v30 * v32);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v37), T31 * c2m3_mm + v31 * v32);
-    const wide v52 = angle1_______________ - offset5;
-    const wide v53 = offset5 + angle1_______________;
-    const wide v54 = angle1________________ - offset5;
-    const wide v55 = offset5 + angle1________________;
-    const wide v56 = angle1_________________ - offset5;
-    const wide v57 = offset5 + angle1_________________;
-    const wide v58 = angle1__________________ - offset5;
-    const wide v59 = offset5 + angle1__________________;
-    const wide q5_ppp = v52 + pick_wide(v52 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v53 <= -half_turn, all_wide(m5), all_wide(0.0)) - v53;
-    const wide q5_pmp = v54 + pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v55 <= -half_turn, all_wide(m5), all_wide(0.0)) - v55;
-    const wide q5_mpp = v56 + pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) - v57;
-    const wide q5_mmp = v58 + pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v59 <= -half_turn, all_wide(m5), all_wide(0.0)) - v59;
-    const wide v60 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m5), all_wide(0.0));
-    const wide v61 = v14 + pick_wide(half_turn < -v14, all_wide(m5), all_wide(0.0));
-    const wide v62 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m5), all_wide(0.0));
-    const wide v63 = v15 + pick_wide(half_turn < -v15, all_wide(m5), all_wide(0.0));
-    const wide_mask v64 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v65 = (q1__m < low1) | (high1 < q1__m);
-    const wide v66 = v60 + pick_wide(v60 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v67 = pick_wide(-v61 < low3, all_wide(whole_turn), all_wide(0.0)) - v61;
-    const wide v68 = v62 + pick_wide(v62 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v69 = pick_wide(-v63 < low3, all_wide(whole_turn), all_wide(0.0)) - v63;
+    const wide v46 = w3_p * (m3 * v3);
+    const wide angle1___________ = atan2_wide(-(v8 + v46), v12 + w3_p * v10);
+    const wide v47 = angle1___________ - offset2;
+    const wide angle1____________ = atan2_wide(v46 - v8, v12 + w3_p * v11);
+    const wide v48 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10);
+    const wide v49 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11);
+    const wide v50 = angle1______________ - offset2;
+    const wide q2_ppp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
+    const wide q2_pmp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
+    const wide q2_mpp = v49 - pick_wide(half_turn < v49, all_wide(m10), all_wide(0.0));
+    const wide q2_mmp = v50 - pick_wide(half_turn < v50, all_wide(m10), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28);
+    const wide angle1________________ = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28);
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28);
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28);
+    const wide v51 = angle1_______________ - offset5;
+    const wide v52 = offset5 + angle1_______________;
+    const wide v53 = angle1________________ - offset5;
+    const wide v54 = offset5 + angle1________________;
+    const wide v55 = angle1_________________ - offset5;
+    const wide v56 = offset5 + angle1_________________;
+    const wide v57 = angle1__________________ - offset5;
+    const wide v58 = offset5 + angle1__________________;
+    const wide q5_ppp = v51 + pick_wide(v51 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v52 <= -half_turn, all_wide(m10), all_wide(0.0)) - v52;
+    const wide q5_pmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) - v54;
+    const wide q5_mpp = v55 + pick_wide(v55 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) - v56;
+    const wide q5_mmp = v57 + pick_wide(v57 <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v58 <= -half_turn, all_wide(m10), all_wide(0.0)) - v58;
+    const wide v59 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m10), all_wide(0.0));
+    const wide v60 = v6 + pick_wide(half_turn < -v6, all_wide(m10), all_wide(0.0));
+    const wide v61 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m10), all_wide(0.0));
+    const wide v62 = v7 + pick_wide(half_turn < -v7, all_wide(m10), all_wide(0.0));
+    const wide_mask v63 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v64 = (q1__m < low1) | (high1 < q1__m);
+    const wide v65 = v59 + pick_wide(v59 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v66 = pick_wide(-v60 < low3, all_wide(whole_turn), all_wide(0.0)) - v60;
+    const wide v67 = v61 + pick_wide(v61 < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v68 = pick_wide(-v62 < low3, all_wide(whole_turn), all_wide(0.0)) - v62;
+    const wide_mask v69 = (v65 < low3) | (high3 < v65);
     const wide_mask v70 = (v66 < low3) | (high3 < v66);
     const wide_mask v71 = (v67 < low3) | (high3 < v67);
     const wide_mask v72 = (v68 < low3) | (high3 < v68);
-    const wide_mask v73 = (v69 < low3) | (high3 < v69);
-    const wide q3_ppp = pick_wide(v70, v60, v66);
-    const wide q3_pmp = pick_wide(v71, -v61, v67);
-    const wide q3_mpp = pick_wide(v72, v62, v68);
-    const wide q3_mmp = pick_wide(v73, -v63, v69);
+    const wide q3_ppp = pick_wide(v69, v59, v65);
+    const wide q3_pmp = pick_wide(v70, -v60, v66);
+    const wide q3_mpp = pick_wide(v71, v61, v67);
+    const wide q3_mmp = pick_wide(v72, -v62, v68);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v74 = v70 | (v64 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v75 = v71 | (v64 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v76 = v72 | (v65 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v77 = v73 | (v65 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v74 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v74 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v75 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v75 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v76 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v76 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v77 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v77 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((v23 <= m3) | (v37 <= m4)) | (((v22 <= m3) | (v36 <= m4)) | (((v21 <=
-        m3) | (v35 <= m4)) | (((v20 <= m3) | (v34 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
-        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask v73 = v69 | (v63 | ((q2_ppp < low2) | (high2 < q2_ppp)));
+    const wide_mask v74 = v70 | (v63 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v75 = v71 | (v64 | ((q2_mpp < low2) | (high2 < q2_mpp)));
+    const wide_mask v76 = v72 | (v64 | ((q2_mmp < low2) | (high2 < q2_mmp)));
+    const wide_mask outside_ppp = v73 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v73 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v74 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v74 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v75 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v75 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v76 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v76 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
+        ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -712,73 +786,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -806,130 +817,89 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
-    const four K3 = N3 - k3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k1 * K3;
-    const four v7 = k2 * w3;
-    const four s3 = k4 * (v6 + e2 * v7);
-    const four v8 = k2 * K3;
-    const four v9 = k1 * w3;
-    const four c3 = k4 * (v8 - e2 * v9);
 
     /* theta2 */
-    const four X1_2 = a3 * s3 - d4 * c3;
-    const four Y1_2 = a2 + (a3 * c3 + d4 * s3);
-    const four v10 = v4 * X1_2 + Z1_3 * Y1_2;
-    const four C2 = Z1_3 * X1_2 - v4 * Y1_2;
-    const four v11 = v10 * v10 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
-    const four c2 = C2 * factor2;
-    const four v12 = v10 * factor2;
+    const four Y1_2 = m3 * N3 - m4;
+    const four v6 = Z1_3 * Y1_2;
+    const four v7 = m3 * (e2 * Z1_3);
+    const four v8 = v4 * -Y1_2;
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c2m3 = c3 * c2 - s3 * v12;
-    const four v13 = c3 * v12 + s3 * c2;
-    const double v14 = T21 * s1 - T11 * v2;
-    const four X4 = T31 * v13 + e1 * (c2m3 * v14);
+    const double v9 = m5 * Z1_3;
+    const four v10 = m6 * v4 - v9;
+    const four v11 = m6 + m7 * factor2;
+    const four v12 = m5 + m8 * factor2;
+    const four v13 = Z1_3 * v11 + v4 * v12;
+    const four c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
+    const double v14 = m6 * Z1_3;
+    const four v15 = v14 + m5 * v4;
+    const four v16 = v4 * v11 - Z1_3 * v12;
+    const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
+    const double v17 = T21 * s1 - T11 * v2;
+    const four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
     const double Y4 = T11 * s1 + T21 * v2;
-    const double v15 = Y4 * Y4;
-    const four v16 = v15 + X4 * X4;
-    const four v17 = e1 * Y4;
-    const four v18 = copysign_four(all_four(half_turn), v17) * h1;
+    const double v18 = Y4 * Y4;
+    const four v19 = v18 + X4 * X4;
+    const four_mask doubt3 = v19 <= m9;
+    const four v20 = e1 * Y4;
+    const four v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v19 = v2 * T22 + s1 * T12;
-    const double v20 = s1 * T22 - v2 * T12;
-    const double v21 = v2 * T23 + s1 * T13;
-    const double v22 = s1 * T23 - v2 * T13;
-    const four v23 = e1 * (X4 * v21 - Y4 * (v13 * T33 + e1 * (c2m3 * v22)));
+    const double v22 = v2 * T22 + s1 * T12;
+    const double v23 = s1 * T22 - v2 * T12;
+    const double v24 = v2 * T23 + s1 * T13;
+    const double v25 = s1 * T23 - v2 * T13;
+    const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) - -X4 * v24);
 
     /* joint values */
-    const four_mask v32 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((v11 <= m3) | (v16 <= m4)) | v32;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(v17, -X4);
-    const four angle1___ = atan2_four(v23, e1 * (X4 * v19 - Y4 * (v13 * T32 + e1 * (c2m3 * v20))));
-    const four angle1____ = atan2_four(-v10, C2);
-    const four angle1_____ = atan2_four(sqrt_four(v16), T31 * c2m3 - e1 * (v13 * v14));
+    const four angle1__ = atan2_four(v20, -X4);
+    const four angle1___ = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 *
+        v22));
+    const four angle1____ = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7);
+    const four angle1_____ = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
+        __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
     const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v18;
-    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v23);
-    const four v24 = angle1____ - offset2;
-    const four q2_p = v24 - pick_four(half_turn < v24, all_four(m5), all_four(0.0));
-    const four v25 = angle1_____ - offset5;
-    const four v26 = offset5 + angle1_____;
-    const four q5_p = v25 + pick_four(v25 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q5_m = pick_four(-v26 <= -half_turn, all_four(m5), all_four(0.0)) - v26;
-    const four v27 = q3_ - pick_four(half_turn < q3_, all_four(m5), all_four(0.0));
-    const four_mask v28 = (q1_ < low1) | (high1 < q1_);
-    const four v29 = v27 + pick_four(v27 < low3, all_four(whole_turn), all_four(0.0));
-    const four_mask v30 = (v29 < low3) | (high3 < v29);
-    const four q3_p = pick_four(v30, v27, v29);
+    const four q4_m = angle1__ - v21;
+    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = angle1____ - offset2;
+    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m10), all_four(0.0));
+    const four v28 = angle1_____ - offset5;
+    const four v29 = offset5 + angle1_____;
+    const four q5_p = v28 + pick_four(v28 <= -half_turn, all_four(m10), all_four(0.0));
+    const four q5_m = pick_four(-v29 <= -half_turn, all_four(m10), all_four(0.0)) - v29;
+    const four v30 = q3_ - pick_four(half_turn < q3_, all_four(m10), all_four(0.0));
+    const four_mask v31 = (q1_ < low1) | (high1 < q1_);
+    const four v32 = v30 + pick_four(v30 < low3, all_four(whole_turn), all_four(0.0));
+    const four_mask v33 = (v32 < low3) | (high3 < v32);
+    const four q3_p = pick_four(v33, v30, v32);
     const four q1_p = q1_ + (w3 - w3);
-    const four_mask v31 = v30 | (v28 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v31 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v31 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v34 = v33 | (v31 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask outside_p = v34 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v34 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * FANUC_LRMATE200ID_UNREACHABLE + (outside1 & ~none1) *
+        FANUC_LRMATE200ID_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

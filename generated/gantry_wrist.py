@@ -326,7 +326,7 @@ def _regular(pose, q, status):
 
     # theta4, type 2: U4[3, 3]
     v1 = T33 * T33 + T23 * T23
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
     angle1 = _atan2(T23, -T33)
     q4_m = angle1 - math.copysign(half_turn, T23) * h1
 
@@ -338,7 +338,7 @@ def _regular(pose, q, status):
     angle1__ = _atan2(v2, T33 * T22 - T23 * T32)
     q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -536,12 +536,12 @@ def _in_tiles(T, q, status):
             q1_p = T34 - d6 * T33
             q3_p = T14 - d6 * T13 - d4
             v1 = T33 * T33 + T23 * T23
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             v2 = T33 * T21 - T23 * T31
             work[544 + k] = q2_p
             work[576 + k] = q1_p
             work[608 + k] = q3_p
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = v2
             work[704 + k] = T23
             work[736 + k] = -math.sqrt(v1)
@@ -556,7 +556,7 @@ def _in_tiles(T, q, status):
             q2_p = work[544 + k]
             q1_p = work[576 + k]
             q3_p = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             v2 = work[672 + k]
             angle1 = work[704 + k]
             angle1_ = work[736 + k]
@@ -583,7 +583,7 @@ def _in_tiles(T, q, status):
             work[1152 + k] = _1152
             work[1184 + k] = UNREACHABLE if _896 != _896 else OK
             work[1216 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KATANA_400_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKATANA_400_SCALAR. With -DKATANA_400_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KATANA_400_SCALAR) && !defined(KATANA_400_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef KATANA_400_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KATANA_400_UNREACHABLE) \
+        | (~(none) & (outside) & KATANA_400_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KATANA_400_UNREACHABLE \
+        : (outside) ? (int)KATANA_400_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.2015; /* joint offset 1 [m] */
 static const double a2 = 0.19; /* link length 2 [m] */
 static const double a3 = 0.139; /* link length 3 [m] */
@@ -35,8 +337,19 @@ static const double k2 = 18.932222642938278; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 4.5941283999999985e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 2.1106015755686556e-49; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 2.631578947368421; /* a coefficient of S2 */
+static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
+static const double m6 = 2.1106015755686556e-49; /* free_limit_squared2^2 [m^4] */
+static const double m7 = 49.8216385340481; /* a coefficient of c23 */
+static const double m8 = 3.5971223021582728; /* a coefficient of c23 */
+static const double m9 = 0.8359572729627931; /* a coefficient of s23 */
+static const double m10 = 2.76116502919548; /* a coefficient of s23 */
+static const double m11 = 0.06035611510791366; /* a coefficient of s23 */
+static const double m12 = 0.2323961218836565; /* a coefficient of v10 */
+static const double m13 = 6.925207756232686; /* a coefficient of v10 */
+static const double m14 = 0.7676038781163435; /* a coefficient of v10 */
+static const double m15 = 0.0019496872645429362; /* a coefficient of v10 */
+static const double m16 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const katana_400_branches[4] = {
@@ -45,12 +358,6 @@ const char *const katana_400_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void katana_400_fk(const double q[5], double T[16])
 {
@@ -192,209 +499,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KATANA_400_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKATANA_400_SCALAR. With -DKATANA_400_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KATANA_400_SCALAR) && !defined(KATANA_400_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef KATANA_400_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KATANA_400_UNREACHABLE) \
-        | (~(none) & (outside) & KATANA_400_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KATANA_400_UNREACHABLE \
-        : (outside) ? (int)KATANA_400_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
@@ -414,7 +518,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
     const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide_mask free234 = v2 <= m3;
     const wide factor234 = 1.0 / sqrt_wide(v2);
     const wide c234 = T33 * factor234;
     const wide v3 = Z2_234 * factor234;
@@ -435,122 +538,122 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v9 = d5 * v3;
     const wide Z2_3 = w1 - v9;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const wide K3 = N3 - k1;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v10 = w3 - w3;
-    const wide s3 = k2 * w3;
-    const wide c3 = k2 * K3;
-    const wide angle1___ = atan2_wide(w3, K3);
+    const wide angle1___ = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide X1_2 = a2 + a3 * c3;
-    const wide Y1_2 = a3 * s3;
-    const wide v11 = Z1_3 * X1_2;
-    const wide v12 = Z2_3 * Y1_2;
-    const wide S2_pp = v11 - v12;
-    const wide S2_pm = v11 + v12;
-    const wide v13 = Z2_3 * X1_2;
-    const wide v14 = Z1_3 * Y1_2;
-    const wide C2_pp = v13 + v14;
-    const wide C2_pm = v13 - v14;
-    const wide v15 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v16 = S2_pm * S2_pm;
-    const wide v17 = v16 + C2_pm * C2_pm;
-    const wide v18 = v16 + -C2_pm * -C2_pm;
-    const wide_mask free2_pp = v15 <= m4;
-    const wide_mask free2_pm = v17 <= m4;
-    const wide_mask free2_mp = v18 <= m4;
-    const wide factor2_pp = 1.0 / sqrt_wide(v15);
-    const wide factor2_pm = 1.0 / sqrt_wide(v17);
-    const wide factor2_mp = 1.0 / sqrt_wide(v18);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = -C2_pm * factor2_mp;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_pm * factor2_mp;
+    const wide v11 = m5 + m4 * N3;
+    const wide v12 = Z1_3 * v11;
+    const wide S2_pp = v12 - w3 * (m4 * Z2_3);
+    const wide S2_pm = v12 - w3 * (m4 * -Z2_3);
+    const wide v13 = w3 * (m4 * Z1_3);
+    const wide v14 = w3 * (m4 * -Z1_3);
+    const wide v15 = Z2_3 * v11;
+    const wide C2_pp = v13 + v15;
+    const wide C2_pm = v14 + v15;
+    const wide C2_mp = v13 - v15;
+    const wide C2_mm = v14 - v15;
+    const wide v16 = S2_pp * S2_pp;
+    const wide v17 = v16 + C2_pp * C2_pp;
+    const wide v18 = S2_pm * S2_pm;
+    const wide v19 = v18 + C2_pm * C2_pm;
+    const wide v20 = v18 + C2_mp * C2_mp;
+    const wide v21 = v16 + C2_mm * C2_mm;
+    const wide factor2_pp = 1.0 / sqrt_wide(v17);
+    const wide factor2_pm = 1.0 / sqrt_wide(v19);
+    const wide factor2_mp = 1.0 / sqrt_wide(v20);
+    const wide factor2_mm = 1.0 / sqrt_wide(v21);
     const wide angle1____ = atan2_wide(S2_pp, C2_pp);
     const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1______ = atan2_wide(S2_pm, -C2_pm);
-    const wide angle1_______ = atan2_wide(S2_pp, -C2_pp);
+    const wide angle1______ = atan2_wide(S2_pm, C2_mp);
+    const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v19 = c1 * c234;
-    const wide v20 = c3 * c2_pp - s3 * s2_pp;
-    const wide v21 = v9 + a2 * c2_pp;
-    const wide v22 = a3 * v20 + v21;
-    const wide v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm);
-    const wide v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9);
-    const wide v25 = a3 * -v20 - v21;
-    const wide v26 = s1 * c234;
-    const wide v27 = d1 + v8;
-    const double v28 = sqrt(-1.0);
-    const wide v29 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
+    const wide v22 = c1 * c234;
+    const wide v23 = m7 * N3;
+    const wide v24 = m9 + v23;
+    const wide v25 = m10 - v23;
+    const wide v26 = Z1_3 * (m8 * N3 - m11);
+    const wide v27 = m13 * N3;
+    const wide v28 = m12 + v27;
+    const wide v29 = m14 - v27;
+    const wide v30 = Z2_3 * (N3 * (v28 + v29));
+    const wide v31 = v9 + factor2_pp * v30;
+    const wide v32 = v9 + factor2_pm * v30;
+    const wide v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15));
+    const wide v34 = factor2_mp * v33 - v9;
+    const wide v35 = factor2_mm * v33 - v9;
+    const wide v36 = s1 * c234;
+    const wide v37 = d1 + v8;
+    const double v38 = sqrt(-1.0);
+    const wide v39 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
         pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
-        pose_slack) & ((abs_wide(T22 - (v7 * v26 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
-        v26 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
-        (s1 * v7 - v6 * v19)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v19)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v28));
-    const wide_mask v30 = abs_wide(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <=
-        pose_slack1;
-    const wide v31 = pick_wide(v30 & ((abs_wide(T14 - c1 * v22) <= pose_slack1) & (abs_wide(T24 - s1
-        * v22) <= pose_slack1)), all_wide(0.0), all_wide(v28));
-    const wide v32 = pick_wide((abs_wide(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 *
-        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v23) <= pose_slack1) & (abs_wide(T24 - s1 *
-        v23) <= pose_slack1)), all_wide(0.0), all_wide(v28));
-    const wide v33 = pick_wide((abs_wide(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 *
-        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v24) <= pose_slack1) & (abs_wide(T24 + s1 *
-        v24) <= pose_slack1)), all_wide(0.0), all_wide(v28));
-    const wide v34 = pick_wide(v30 & ((abs_wide(T14 + c1 * v25) <= pose_slack1) & (abs_wide(T24 + s1
-        * v25) <= pose_slack1)), all_wide(0.0), all_wide(v28));
+        pose_slack) & ((abs_wide(T22 - (v7 * v36 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
+        v36 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
+        (s1 * v7 - v6 * v22)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v22)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v38));
+    const wide v40 = v26 + w3 * (Z2_3 * (v24 + v25));
+    const wide v41 = pick_wide((abs_wide(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp *
+        factor2_pp)))) <= pose_slack1) & ((abs_wide(T14 - c1 * v31) <= pose_slack1) & (abs_wide(T24
+        - s1 * v31) <= pose_slack1)), all_wide(0.0), all_wide(v38));
+    const wide v42 = v26 + w3 * (Z2_3 * (-v25 - v24));
+    const wide v43 = pick_wide((abs_wide(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm *
+        factor2_pm)))) <= pose_slack1) & ((abs_wide(T14 - c1 * v32) <= pose_slack1) & (abs_wide(T24
+        - s1 * v32) <= pose_slack1)), all_wide(0.0), all_wide(v38));
+    const wide v44 = pick_wide((abs_wide(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm *
+        factor2_mp)))) <= pose_slack1) & ((abs_wide(T14 + c1 * v34) <= pose_slack1) & (abs_wide(T24
+        + s1 * v34) <= pose_slack1)), all_wide(0.0), all_wide(v38));
+    const wide v45 = pick_wide((abs_wide(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp *
+        factor2_mm)))) <= pose_slack1) & ((abs_wide(T14 + c1 * v35) <= pose_slack1) & (abs_wide(T24
+        + s1 * v35) <= pose_slack1)), all_wide(0.0), all_wide(v38));
 
     /* joint values */
-    const wide v35 = angle1_ - (angle1___ + angle1____) - offset4;
-    const wide v36 = angle1_ - (angle1_____ - angle1___) - offset4;
-    const wide v37 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v38 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v39 = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0)) + pick_wide(v35
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v40 = v36 - pick_wide(half_turn < v36, all_wide(m5), all_wide(0.0)) + pick_wide(v36
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v41 = pick_wide(-v37 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v37 +
-        pick_wide(half_turn < -v37, all_wide(m5), all_wide(0.0)));
-    const wide v42 = pick_wide(-v38 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v38 +
-        pick_wide(half_turn < -v38, all_wide(m5), all_wide(0.0)));
-    const wide v43 = v29 + (angle1 + v10);
-    const wide v44 = v29 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v31 + v43;
-    const wide q1_pm = v32 + v43;
-    const wide q1_mp = v33 + v44;
-    const wide q1_mm = v34 + v44;
-    const wide q2_pp = v31 + (angle1____ + v29);
-    const wide q2_pm = v32 + (angle1_____ + v29);
-    const wide q2_mp = v33 + (angle1______ + v29);
-    const wide q2_mm = v34 + (angle1_______ + v29);
-    const wide v45 = angle1___ + v29;
-    const wide v46 = v29 - angle1___;
-    const wide q3_pp = v31 + v45;
-    const wide q3_pm = v32 + v46;
-    const wide q3_mp = v33 + v45;
-    const wide q3_mm = v34 + v46;
-    const wide q4_pp = v31 + (v29 + (v39 - pick_wide(half_turn < v39, all_wide(m5),
+    const wide v46 = angle1_ - (angle1___ + angle1____) - offset4;
+    const wide v47 = angle1_ - (angle1_____ - angle1___) - offset4;
+    const wide v48 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v49 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v50 = v46 - pick_wide(half_turn < v46, all_wide(m16), all_wide(0.0)) + pick_wide(v46
+        <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide v51 = v47 - pick_wide(half_turn < v47, all_wide(m16), all_wide(0.0)) + pick_wide(v47
+        <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide v52 = pick_wide(-v48 <= -half_turn, all_wide(m16), all_wide(0.0)) - (v48 +
+        pick_wide(half_turn < -v48, all_wide(m16), all_wide(0.0)));
+    const wide v53 = pick_wide(-v49 <= -half_turn, all_wide(m16), all_wide(0.0)) - (v49 +
+        pick_wide(half_turn < -v49, all_wide(m16), all_wide(0.0)));
+    const wide v54 = v39 + (angle1 + v10);
+    const wide v55 = v39 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v41 + v54;
+    const wide q1_pm = v43 + v54;
+    const wide q1_mp = v44 + v55;
+    const wide q1_mm = v45 + v55;
+    const wide q2_pp = v41 + (angle1____ + v39);
+    const wide q2_pm = v43 + (angle1_____ + v39);
+    const wide q2_mp = v44 + (angle1______ + v39);
+    const wide q2_mm = v45 + (angle1_______ + v39);
+    const wide v56 = angle1___ + v39;
+    const wide v57 = v39 - angle1___;
+    const wide q3_pp = v41 + v56;
+    const wide q3_pm = v43 + v57;
+    const wide q3_mp = v44 + v56;
+    const wide q3_mm = v45 + v57;
+    const wide q4_pp = v41 + (v39 + (v50 - pick_wide(half_turn < v50, all_wide(m16),
         all_wide(0.0))));
-    const wide q4_pm = v32 + (v29 + (v40 - pick_wide(half_turn < v40, all_wide(m5),
+    const wide q4_pm = v43 + (v39 + (v51 - pick_wide(half_turn < v51, all_wide(m16),
         all_wide(0.0))));
-    const wide q4_mp = v33 + (v29 + (v41 - pick_wide(half_turn < v41, all_wide(m5),
+    const wide q4_mp = v44 + (v39 + (v52 - pick_wide(half_turn < v52, all_wide(m16),
         all_wide(0.0))));
-    const wide q4_mm = v34 + (v29 + (v42 - pick_wide(half_turn < v42, all_wide(m5),
+    const wide q4_mm = v45 + (v39 + (v53 - pick_wide(half_turn < v53, all_wide(m16),
         all_wide(0.0))));
-    const wide v47 = v29 + (angle1__ + v10);
-    const wide v48 = v29 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
-    const wide q5_pp = v31 + v47;
-    const wide q5_pm = v32 + v47;
-    const wide q5_mp = v33 + v48;
-    const wide q5_mm = v34 + v48;
-    const wide_mask doubt = (free2_mp | (free234 | free2_mp)) | ((free2_pm | (free234 | free2_pm)) |
-        (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((v4 <= m3) | (free234 | (v1 <= m1)))) | (free2_pp | (free234 |
-        free2_pp))));
+    const wide v58 = v39 + (angle1__ + v10);
+    const wide v59 = v39 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
+    const wide q5_pp = v41 + v58;
+    const wide q5_pm = v43 + v58;
+    const wide q5_mp = v44 + v59;
+    const wide q5_mm = v45 + v59;
+    const wide_mask doubt1 = (v2 <= m3) | ((v1 <= m1) | ((v4 <= m3) | ((((shortest3_reach <= N3) &
+        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v21
+        <= m6) | ((v20 <= m6) | ((v17 <= m6) | (v19 <= m6)))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -577,73 +680,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -667,7 +707,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
     const double v4 = T33 * T33 + Z2_234 * Z2_234;
-    const int free234 = v4 <= m3;
     const double factor234 = 1.0 / sqrt(v4);
     const double c234 = T33 * factor234;
     const double v5 = Z2_234 * factor234;
@@ -687,118 +726,83 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double v12 = d5 * v5;
     const double Z2_3 = w1 - v12;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const double K3 = N3 - k1;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v13 = w3 - w3;
-    const double s3 = k2 * w3;
-    const double c3 = k2 * K3;
 
     /* theta2 */
-    const double X1_2 = a2 + a3 * c3;
-    const double Y1_2 = a3 * s3;
-    const double v14 = Z1_3 * X1_2;
-    const double v15 = Z2_3 * Y1_2;
-    const four S2 = v14 - v15 * (e1 * e2);
-    const double v16 = Z2_3 * X1_2;
-    const double v17 = Z1_3 * Y1_2;
-    const four v18 = e1 * v16;
-    const four v19 = e2 * v17;
-    const four C2 = v18 + v19;
-    const four v20 = S2 * S2 + C2 * C2;
-    const four_mask free2 = v20 <= m4;
-    const four factor2 = 1.0 / sqrt_four(v20);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v14 = e1 * e2;
+    const double v15 = m5 + m4 * N3;
+    const double v16 = Z1_3 * v15;
+    const four S2 = v16 - w3 * (m4 * (Z2_3 * v14));
+    const four v17 = w3 * (m4 * (e2 * Z1_3));
+    const four v18 = Z2_3 * (e1 * v15);
+    const four C2 = v17 + v18;
+    const four v19 = S2 * S2 + C2 * C2;
+    const four_mask doubt2 = v19 <= m6;
+    const four factor2 = 1.0 / sqrt_four(v19);
 
     /* is the pose one that the arm can take? */
-    const double v21 = c1 * c234;
-    const four v22 = e1 * v12;
-    const four v23 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v22 + a2 * c2);
-    const double v24 = s1 * c234;
-    const double v25 = d1 + v11;
-    const double v26 = sqrt(-1.0);
-    const double v27 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v5 * v9) <= pose_slack) &
+    const double v20 = c1 * c234;
+    const double v21 = m7 * N3;
+    const double v22 = m9 + v21;
+    const four v23 = e1 * v22;
+    const double v24 = m10 - v21;
+    const double v25 = Z1_3 * (m8 * N3 - m11);
+    const four v26 = e1 * v12;
+    const double v27 = m13 * N3;
+    const double v28 = m12 + v27;
+    const four v29 = e1 * v28;
+    const double v30 = m14 - v27;
+    const four v31 = e2 * v30;
+    const four v32 = m15 * e1;
+    const four v33 = m15 * e2;
+    const four v34 = v26 + factor2 * (Z2_3 * (N3 * (v29 + v14 * v31) + (v32 - v14 * v33)));
+    const double v35 = s1 * c234;
+    const double v36 = d1 + v11;
+    const double v37 = sqrt(-1.0);
+    const double v38 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v5 * v9) <= pose_slack) &
         ((fabs(T31 - v5 * v8) <= pose_slack) & ((fabs(T23 - s1 * v5) <= pose_slack) & ((fabs(T22 -
-        (v9 * v24 - c1 * v8)) <= pose_slack) & ((fabs(T21 + (v8 * v24 + c1 * v9)) <= pose_slack) &
-        ((fabs(T13 - c1 * v5) <= pose_slack) & ((fabs(T11 - (s1 * v9 - v8 * v21)) <= pose_slack) &
-        (fabs(T12 - (s1 * v8 + v9 * v21)) <= pose_slack))))))))) ? 0.0 : v26;
-    const four v28 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v25 + a2 * s2)))
-        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
-        (s1 * v23)) <= pose_slack1)), all_four(0.0), all_four(v26));
+        (v9 * v35 - c1 * v8)) <= pose_slack) & ((fabs(T21 + (v8 * v35 + c1 * v9)) <= pose_slack) &
+        ((fabs(T13 - c1 * v5) <= pose_slack) & ((fabs(T11 - (s1 * v9 - v8 * v20)) <= pose_slack) &
+        (fabs(T12 - (s1 * v8 + v9 * v20)) <= pose_slack))))))))) ? 0.0 : v37;
+    const four v39 = pick_four((abs_four(T34 - (a3 * (factor2 * (v25 + w3 * (Z2_3 * (e2 * v23 + v14
+        * v24)))) + (v36 + a2 * (S2 * factor2)))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 *
+        v34)) <= pose_slack1) & (abs_four(T24 - e1 * (s1 * v34)) <= pose_slack1)), all_four(0.0),
+        all_four(v37));
 
     /* joint values */
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((v6 <= m3) | (free234 | (v1 <= m1)));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free2 | ((all_four(free234 ? 1.0
-        : 0.0) > 0.0) | free2));
+    const int doubt1 = (v4 <= m3) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v6 <= m3)));
 
     const four angle1____ = atan2_four(S2, C2);
-    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, K3
-        });
+    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, N3 -
+        k1 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v29 = e2 * angle1___;
-    const four v30 = e1 * angle1_;
-    const four v31 = v30 - (angle1____ + v29) - offset4;
-    const four v32 = v31 - pick_four(half_turn < v31, all_four(m5), all_four(0.0)) + pick_four(v31
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four v33 = v27 + (v13 + (angle1 + v2 * v3));
-    const four q1 = v28 + v33;
-    const four q2 = v28 + (angle1____ + v27);
-    const four v34 = v27 + v29;
-    const four q3 = v28 + v34;
-    const four q4 = v28 + (v27 + (v32 - pick_four(half_turn < v32, all_four(m5), all_four(0.0))));
-    const four v35 = v27 + (v13 + (angle1__ + v3 * v10));
-    const four q5 = v28 + v35;
+    const four v40 = e2 * angle1___;
+    const four v41 = e1 * angle1_;
+    const four v42 = v41 - (angle1____ + v40) - offset4;
+    const four v43 = v42 - pick_four(half_turn < v42, all_four(m16), all_four(0.0)) + pick_four(v42
+        <= -half_turn, all_four(m16), all_four(0.0));
+    const four v44 = v38 + (v13 + (angle1 + v2 * v3));
+    const four q1 = v39 + v44;
+    const four q2 = v39 + (angle1____ + v38);
+    const four v45 = v38 + v40;
+    const four q3 = v39 + v45;
+    const four q4 = v39 + (v38 + (v43 - pick_four(half_turn < v43, all_four(m16), all_four(0.0))));
+    const four v46 = v38 + (v13 + (angle1__ + v3 * v10));
+    const four q5 = v39 + v46;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    status[2] = (unsigned char)kind1[2];
-    status[3] = (unsigned char)kind1[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * KATANA_400_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 4);
+    return 4 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

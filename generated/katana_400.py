@@ -72,8 +72,19 @@ k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.5941283999999985e-25  # free_limit1^2 [m^2]
 m3 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 2.1106015755686556e-49  # free_limit_squared2^2 [m^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 2.631578947368421  # a coefficient of S2
+m5 = 0.04415526315789473  # a coefficient of S2
+m6 = 2.1106015755686556e-49  # free_limit_squared2^2 [m^4]
+m7 = 49.8216385340481  # a coefficient of c23
+m8 = 3.5971223021582728  # a coefficient of c23
+m9 = 0.8359572729627931  # a coefficient of s23
+m10 = 2.76116502919548  # a coefficient of s23
+m11 = 0.06035611510791366  # a coefficient of s23
+m12 = 0.2323961218836565  # a coefficient of v10
+m13 = 6.925207756232686  # a coefficient of v10
+m14 = 0.7676038781163435  # a coefficient of v10
+m15 = 0.0019496872645429362  # a coefficient of v10
+m16 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -595,7 +606,6 @@ def _regular(pose, q, status):
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     Z2_234 = c1 * T13 + s1 * T23
     v2 = T33 * T33 + Z2_234 * Z2_234
-    free234 = v2 <= m3
     factor234 = 1.0 / math.sqrt(v2)
     c234 = T33 * factor234
     v3 = Z2_234 * factor234
@@ -616,123 +626,127 @@ def _regular(pose, q, status):
     v9 = d5 * v3
     Z2_3 = w1 - v9
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v10 = w3 - w3
-    s3 = k2 * w3
-    c3 = k2 * K3
-    angle1___ = _atan2(w3, K3)
+    angle1___ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2 = a2 + a3 * c3
-    Y1_2 = a3 * s3
-    v11 = Z1_3 * X1_2
-    v12 = Z2_3 * Y1_2
-    S2_pp = v11 - v12
-    S2_pm = v11 + v12
-    v13 = Z2_3 * X1_2
-    v14 = Z1_3 * Y1_2
-    C2_pp = v13 + v14
-    C2_pm = v13 - v14
-    v15 = S2_pp * S2_pp + C2_pp * C2_pp
-    v16 = S2_pm * S2_pm
-    v17 = v16 + C2_pm * C2_pm
-    v18 = v16 + -C2_pm * -C2_pm
-    free2_pp = v15 <= m4
-    free2_pm = v17 <= m4
-    free2_mp = v18 <= m4
-    factor2_pp = 1.0 / math.sqrt(v15)
-    factor2_pm = 1.0 / math.sqrt(v17)
-    factor2_mp = 1.0 / math.sqrt(v18)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = -C2_pm * factor2_mp
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_pm * factor2_mp
+    v11 = m5 + m4 * N3
+    v12 = Z1_3 * v11
+    S2_pp = v12 - w3 * (m4 * Z2_3)
+    S2_pm = v12 - w3 * (m4 * -Z2_3)
+    v13 = w3 * (m4 * Z1_3)
+    v14 = w3 * (m4 * -Z1_3)
+    v15 = Z2_3 * v11
+    C2_pp = v13 + v15
+    C2_pm = v14 + v15
+    C2_mp = v13 - v15
+    C2_mm = v14 - v15
+    v16 = S2_pp * S2_pp
+    v17 = v16 + C2_pp * C2_pp
+    v18 = S2_pm * S2_pm
+    v19 = v18 + C2_pm * C2_pm
+    v20 = v18 + C2_mp * C2_mp
+    v21 = v16 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v17)
+    factor2_pm = 1.0 / math.sqrt(v19)
+    factor2_mp = 1.0 / math.sqrt(v20)
+    factor2_mm = 1.0 / math.sqrt(v21)
     angle1____ = _atan2(S2_pp, C2_pp)
     angle1_____ = _atan2(S2_pm, C2_pm)
-    angle1______ = _atan2(S2_pm, -C2_pm)
-    angle1_______ = _atan2(S2_pp, -C2_pp)
+    angle1______ = _atan2(S2_pm, C2_mp)
+    angle1_______ = _atan2(S2_pp, C2_mm)
 
     # is the pose one that the arm can take?
-    v19 = c1 * c234
-    v20 = c3 * c2_pp - s3 * s2_pp
-    v21 = v9 + a2 * c2_pp
-    v22 = a3 * v20 + v21
-    v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm)
-    v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9)
-    v25 = a3 * -v20 - v21
-    v26 = s1 * c234
-    v27 = d1 + v8
-    v28 = math.sqrt(-1.0)
-    v29 = (
+    v22 = c1 * c234
+    v23 = m7 * N3
+    v24 = m9 + v23
+    v25 = m10 - v23
+    v26 = Z1_3 * (m8 * N3 - m11)
+    v27 = m13 * N3
+    v28 = m12 + v27
+    v29 = m14 - v27
+    v30 = Z2_3 * (N3 * (v28 + v29))
+    v31 = v9 + factor2_pp * v30
+    v32 = v9 + factor2_pm * v30
+    v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15))
+    v34 = factor2_mp * v33 - v9
+    v35 = factor2_mm * v33 - v9
+    v36 = s1 * c234
+    v37 = d1 + v8
+    v38 = math.sqrt(-1.0)
+    v39 = (
         0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and (abs(T31 -
-        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v26 - c1 *
-        v6)) <= pose_slack and (abs(T21 + (v6 * v26 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
-        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v19)) <= pose_slack and abs(T12 - (s1 * v6
-        + v7 * v19)) <= pose_slack)))))))) else v28
+        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v36 - c1 *
+        v6)) <= pose_slack and (abs(T21 + (v6 * v36 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
+        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v22)) <= pose_slack and abs(T12 - (s1 * v6
+        + v7 * v22)) <= pose_slack)))))))) else v38
     )
-    v30 = abs(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <= pose_slack1
-    v31 = (
-        0.0 if (v30 and (abs(T14 - c1 * v22) <= pose_slack1 and abs(T24 - s1 * v22) <= pose_slack1))
-        else v28
+    v40 = v26 + w3 * (Z2_3 * (v24 + v25))
+    v41 = (
+        0.0 if (abs(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp * factor2_pp)))) <=
+        pose_slack1 and (abs(T14 - c1 * v31) <= pose_slack1 and abs(T24 - s1 * v31) <= pose_slack1))
+        else v38
     )
-    v32 = (
-        0.0 if (abs(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 * s2_pm))) <= pose_slack1 and
-        (abs(T14 - c1 * v23) <= pose_slack1 and abs(T24 - s1 * v23) <= pose_slack1)) else v28
+    v42 = v26 + w3 * (Z2_3 * (-v25 - v24))
+    v43 = (
+        0.0 if (abs(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm * factor2_pm)))) <=
+        pose_slack1 and (abs(T14 - c1 * v32) <= pose_slack1 and abs(T24 - s1 * v32) <= pose_slack1))
+        else v38
     )
-    v33 = (
-        0.0 if (abs(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 * s2_mp))) <= pose_slack1 and
-        (abs(T14 + c1 * v24) <= pose_slack1 and abs(T24 + s1 * v24) <= pose_slack1)) else v28
+    v44 = (
+        0.0 if (abs(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm * factor2_mp)))) <=
+        pose_slack1 and (abs(T14 + c1 * v34) <= pose_slack1 and abs(T24 + s1 * v34) <= pose_slack1))
+        else v38
     )
-    v34 = (
-        0.0 if (v30 and (abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1))
-        else v28
+    v45 = (
+        0.0 if (abs(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp * factor2_mm)))) <=
+        pose_slack1 and (abs(T14 + c1 * v35) <= pose_slack1 and abs(T24 + s1 * v35) <= pose_slack1))
+        else v38
     )
 
     # joint values
-    v35 = angle1_ - (angle1___ + angle1____) - offset4
-    v36 = angle1_ - (angle1_____ - angle1___) - offset4
-    v37 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
-    v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
-    v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
-    v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
-    v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
-    v43 = v29 + (angle1 + v10)
-    v44 = v29 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v31 + v43
-    q1_pm = v32 + v43
-    q1_mp = v33 + v44
-    q1_mm = v34 + v44
-    q2_pp = v31 + (angle1____ + v29)
-    q2_pm = v32 + (angle1_____ + v29)
-    q2_mp = v33 + (angle1______ + v29)
-    q2_mm = v34 + (angle1_______ + v29)
-    v45 = angle1___ + v29
-    v46 = v29 - angle1___
-    q3_pp = v31 + v45
-    q3_pm = v32 + v46
-    q3_mp = v33 + v45
-    q3_mm = v34 + v46
-    q4_pp = v31 + (v29 + (v39 - (m5 if half_turn < v39 else 0.0)))
-    q4_pm = v32 + (v29 + (v40 - (m5 if half_turn < v40 else 0.0)))
-    q4_mp = v33 + (v29 + (v41 - (m5 if half_turn < v41 else 0.0)))
-    q4_mm = v34 + (v29 + (v42 - (m5 if half_turn < v42 else 0.0)))
-    v47 = v29 + (angle1__ + v10)
-    v48 = v29 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
-    q5_pp = v31 + v47
-    q5_pm = v32 + v47
-    q5_mp = v33 + v48
-    q5_mm = v34 + v48
-    doubt = (
-        free2_mp or (free234 or free2_mp) or (free2_pm or (free234 or free2_pm) or (shortest3_reach
-        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v4
-        <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or free2_pp))))
+    v46 = angle1_ - (angle1___ + angle1____) - offset4
+    v47 = angle1_ - (angle1_____ - angle1___) - offset4
+    v48 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v49 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v50 = v46 - (m16 if half_turn < v46 else 0.0) + (m16 if v46 <= -half_turn else 0.0)
+    v51 = v47 - (m16 if half_turn < v47 else 0.0) + (m16 if v47 <= -half_turn else 0.0)
+    v52 = (m16 if -v48 <= -half_turn else 0.0) - (v48 + (m16 if half_turn < -v48 else 0.0))
+    v53 = (m16 if -v49 <= -half_turn else 0.0) - (v49 + (m16 if half_turn < -v49 else 0.0))
+    v54 = v39 + (angle1 + v10)
+    v55 = v39 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v41 + v54
+    q1_pm = v43 + v54
+    q1_mp = v44 + v55
+    q1_mm = v45 + v55
+    q2_pp = v41 + (angle1____ + v39)
+    q2_pm = v43 + (angle1_____ + v39)
+    q2_mp = v44 + (angle1______ + v39)
+    q2_mm = v45 + (angle1_______ + v39)
+    v56 = angle1___ + v39
+    v57 = v39 - angle1___
+    q3_pp = v41 + v56
+    q3_pm = v43 + v57
+    q3_mp = v44 + v56
+    q3_mm = v45 + v57
+    q4_pp = v41 + (v39 + (v50 - (m16 if half_turn < v50 else 0.0)))
+    q4_pm = v43 + (v39 + (v51 - (m16 if half_turn < v51 else 0.0)))
+    q4_mp = v44 + (v39 + (v52 - (m16 if half_turn < v52 else 0.0)))
+    q4_mm = v45 + (v39 + (v53 - (m16 if half_turn < v53 else 0.0)))
+    v58 = v39 + (angle1__ + v10)
+    v59 = v39 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+    q5_pp = v41 + v58
+    q5_pm = v43 + v58
+    q5_mp = v44 + v59
+    q5_mm = v45 + v59
+    doubt1 = (
+        v2 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and
+        not (shortest3_apart < N3 and N3 < longest3_apart) or (v21 <= m6 or (v20 <= m6 or (v17 <= m6
+        or v19 <= m6))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -945,7 +959,6 @@ def _in_tiles(T, q, status):
             s1 = T24 * factor1
             Z2_234 = c1 * T13 + s1 * T23
             v2 = T33 * T33 + Z2_234 * Z2_234
-            free234 = v2 <= m3
             factor234 = 1.0 / math.sqrt(v2)
             c234 = T33 * factor234
             v3 = Z2_234 * factor234
@@ -960,88 +973,89 @@ def _in_tiles(T, q, status):
             v9 = d5 * v3
             Z2_3 = w1 - v9
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v10 = w3 - w3
-            s3 = k2 * w3
-            c3 = k2 * K3
-            X1_2 = a2 + a3 * c3
-            Y1_2 = a3 * s3
-            v11 = Z1_3 * X1_2
-            v12 = Z2_3 * Y1_2
-            S2_pp = v11 - v12
-            S2_pm = v11 + v12
-            v13 = Z2_3 * X1_2
-            v14 = Z1_3 * Y1_2
-            C2_pp = v13 + v14
-            C2_pm = v13 - v14
-            v15 = S2_pp * S2_pp + C2_pp * C2_pp
-            v16 = S2_pm * S2_pm
-            v17 = v16 + C2_pm * C2_pm
-            v18 = v16 + -C2_pm * -C2_pm
-            free2_pp = v15 <= m4
-            free2_pm = v17 <= m4
-            free2_mp = v18 <= m4
-            factor2_pp = 1.0 / math.sqrt(v15)
-            factor2_pm = 1.0 / math.sqrt(v17)
-            factor2_mp = 1.0 / math.sqrt(v18)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = -C2_pm * factor2_mp
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_pm * factor2_mp
-            v19 = c1 * c234
-            v20 = c3 * c2_pp - s3 * s2_pp
-            v21 = v9 + a2 * c2_pp
-            v22 = a3 * v20 + v21
-            v23 = a3 * (c3 * c2_pm + s3 * s2_pm) + (v9 + a2 * c2_pm)
-            v24 = a3 * (c3 * c2_mp - s3 * s2_mp) + (a2 * c2_mp - v9)
-            v25 = a3 * -v20 - v21
-            v26 = s1 * c234
-            v27 = d1 + v8
-            v28 = math.sqrt(-1.0)
-            v29 = (
+            v11 = m5 + m4 * N3
+            v12 = Z1_3 * v11
+            S2_pp = v12 - w3 * (m4 * Z2_3)
+            S2_pm = v12 - w3 * (m4 * -Z2_3)
+            v13 = w3 * (m4 * Z1_3)
+            v14 = w3 * (m4 * -Z1_3)
+            v15 = Z2_3 * v11
+            C2_pp = v13 + v15
+            C2_pm = v14 + v15
+            C2_mp = v13 - v15
+            C2_mm = v14 - v15
+            v16 = S2_pp * S2_pp
+            v17 = v16 + C2_pp * C2_pp
+            v18 = S2_pm * S2_pm
+            v19 = v18 + C2_pm * C2_pm
+            v20 = v18 + C2_mp * C2_mp
+            v21 = v16 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v17)
+            factor2_pm = 1.0 / math.sqrt(v19)
+            factor2_mp = 1.0 / math.sqrt(v20)
+            factor2_mm = 1.0 / math.sqrt(v21)
+            v22 = c1 * c234
+            v23 = m7 * N3
+            v24 = m9 + v23
+            v25 = m10 - v23
+            v26 = Z1_3 * (m8 * N3 - m11)
+            v27 = m13 * N3
+            v28 = m12 + v27
+            v29 = m14 - v27
+            v30 = Z2_3 * (N3 * (v28 + v29))
+            v31 = v9 + factor2_pp * v30
+            v32 = v9 + factor2_pm * v30
+            v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15))
+            v34 = factor2_mp * v33 - v9
+            v35 = factor2_mm * v33 - v9
+            v36 = s1 * c234
+            v37 = d1 + v8
+            v38 = math.sqrt(-1.0)
+            v39 = (
                 0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and
                 (abs(T31 - v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22
-                - (v7 * v26 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v26 + c1 * v7)) <=
+                - (v7 * v36 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v36 + c1 * v7)) <=
                 pose_slack and (abs(T13 - c1 * v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 *
-                v19)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v19)) <= pose_slack)))))))) else
-                v28
+                v22)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v22)) <= pose_slack)))))))) else
+                v38
             )
-            v30 = abs(T34 - (a3 * (c3 * s2_pp + s3 * c2_pp) + (v27 + a2 * s2_pp))) <= pose_slack1
-            v31 = (
-                0.0 if (v30 and (abs(T14 - c1 * v22) <= pose_slack1 and abs(T24 - s1 * v22) <=
-                pose_slack1)) else v28
+            v40 = v26 + w3 * (Z2_3 * (v24 + v25))
+            v41 = (
+                0.0 if (abs(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp * factor2_pp)))) <=
+                pose_slack1 and (abs(T14 - c1 * v31) <= pose_slack1 and abs(T24 - s1 * v31) <=
+                pose_slack1)) else v38
             )
-            v32 = (
-                0.0 if (abs(T34 - (a3 * (c3 * s2_pm - s3 * c2_pm) + (v27 + a2 * s2_pm))) <=
-                pose_slack1 and (abs(T14 - c1 * v23) <= pose_slack1 and abs(T24 - s1 * v23) <=
-                pose_slack1)) else v28
+            v42 = v26 + w3 * (Z2_3 * (-v25 - v24))
+            v43 = (
+                0.0 if (abs(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm * factor2_pm)))) <=
+                pose_slack1 and (abs(T14 - c1 * v32) <= pose_slack1 and abs(T24 - s1 * v32) <=
+                pose_slack1)) else v38
             )
-            v33 = (
-                0.0 if (abs(T34 - (a3 * (c3 * s2_mp + s3 * c2_mp) + (v27 + a2 * s2_mp))) <=
-                pose_slack1 and (abs(T14 + c1 * v24) <= pose_slack1 and abs(T24 + s1 * v24) <=
-                pose_slack1)) else v28
+            v44 = (
+                0.0 if (abs(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm * factor2_mp)))) <=
+                pose_slack1 and (abs(T14 + c1 * v34) <= pose_slack1 and abs(T24 + s1 * v34) <=
+                pose_slack1)) else v38
             )
-            v34 = (
-                0.0 if (v30 and (abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <=
-                pose_slack1)) else v28
+            v45 = (
+                0.0 if (abs(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp * factor2_mm)))) <=
+                pose_slack1 and (abs(T14 + c1 * v35) <= pose_slack1 and abs(T24 + s1 * v35) <=
+                pose_slack1)) else v38
             )
-            doubt = (
-                free2_mp or (free234 or free2_mp) or (free2_pm or (free234 or free2_pm) or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)) or (free2_pp or (free234 or
-                free2_pp))))
+            doubt1 = (
+                v2 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v21 <= m6
+                or (v20 <= m6 or (v17 <= m6 or v19 <= m6))))))
             )
             work[544 + k] = Z2_5
             work[576 + k] = v10
-            work[608 + k] = v29
-            work[640 + k] = v31
-            work[672 + k] = v32
-            work[704 + k] = v33
-            work[736 + k] = v34
-            work[768 + k] = doubt
+            work[608 + k] = v39
+            work[640 + k] = v41
+            work[672 + k] = v43
+            work[704 + k] = v44
+            work[736 + k] = v45
+            work[768 + k] = doubt1
             work[800 + k] = T24
             work[832 + k] = -Z2_234
             work[864 + k] = -Z2_5
@@ -1053,23 +1067,23 @@ def _in_tiles(T, q, status):
             work[1056 + k] = T14
             work[1088 + k] = T33
             work[1120 + k] = -Z1_5
-            work[1152 + k] = K3
+            work[1152 + k] = N3 - k1
             work[1184 + k] = C2_pp
             work[1216 + k] = C2_pm
-            work[1248 + k] = -C2_pm
-            work[1280 + k] = -C2_pp
+            work[1248 + k] = C2_mp
+            work[1280 + k] = C2_mm
         for k in range(800, 1056):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
             Z2_5 = work[544 + k]
             v10 = work[576 + k]
-            v29 = work[608 + k]
-            v31 = work[640 + k]
-            v32 = work[672 + k]
-            v33 = work[704 + k]
-            v34 = work[736 + k]
-            doubt = work[768 + k] != 0.0
+            v39 = work[608 + k]
+            v41 = work[640 + k]
+            v43 = work[672 + k]
+            v44 = work[704 + k]
+            v45 = work[736 + k]
+            doubt1 = work[768 + k] != 0.0
             angle1 = work[800 + k]
             angle1_ = work[832 + k]
             angle1__ = work[864 + k]
@@ -1078,40 +1092,40 @@ def _in_tiles(T, q, status):
             angle1_____ = work[960 + k]
             angle1______ = work[992 + k]
             angle1_______ = work[1024 + k]
-            v35 = angle1_ - (angle1___ + angle1____) - offset4
-            v36 = angle1_ - (angle1_____ - angle1___) - offset4
-            v37 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
-            v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
-            v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
-            v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
-            v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
-            v43 = v29 + (angle1 + v10)
-            v44 = v29 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v31 + v43
-            q1_pm = v32 + v43
-            q1_mp = v33 + v44
-            q1_mm = v34 + v44
-            q2_pp = v31 + (angle1____ + v29)
-            q2_pm = v32 + (angle1_____ + v29)
-            q2_mp = v33 + (angle1______ + v29)
-            q2_mm = v34 + (angle1_______ + v29)
-            v45 = angle1___ + v29
-            v46 = v29 - angle1___
-            q3_pp = v31 + v45
-            q3_pm = v32 + v46
-            q3_mp = v33 + v45
-            q3_mm = v34 + v46
-            q4_pp = v31 + (v29 + (v39 - (m5 if half_turn < v39 else 0.0)))
-            q4_pm = v32 + (v29 + (v40 - (m5 if half_turn < v40 else 0.0)))
-            q4_mp = v33 + (v29 + (v41 - (m5 if half_turn < v41 else 0.0)))
-            q4_mm = v34 + (v29 + (v42 - (m5 if half_turn < v42 else 0.0)))
-            v47 = v29 + (angle1__ + v10)
-            v48 = v29 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
-            q5_pp = v31 + v47
-            q5_pm = v32 + v47
-            q5_mp = v33 + v48
-            q5_mm = v34 + v48
+            v46 = angle1_ - (angle1___ + angle1____) - offset4
+            v47 = angle1_ - (angle1_____ - angle1___) - offset4
+            v48 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v49 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v50 = v46 - (m16 if half_turn < v46 else 0.0) + (m16 if v46 <= -half_turn else 0.0)
+            v51 = v47 - (m16 if half_turn < v47 else 0.0) + (m16 if v47 <= -half_turn else 0.0)
+            v52 = (m16 if -v48 <= -half_turn else 0.0) - (v48 + (m16 if half_turn < -v48 else 0.0))
+            v53 = (m16 if -v49 <= -half_turn else 0.0) - (v49 + (m16 if half_turn < -v49 else 0.0))
+            v54 = v39 + (angle1 + v10)
+            v55 = v39 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v41 + v54
+            q1_pm = v43 + v54
+            q1_mp = v44 + v55
+            q1_mm = v45 + v55
+            q2_pp = v41 + (angle1____ + v39)
+            q2_pm = v43 + (angle1_____ + v39)
+            q2_mp = v44 + (angle1______ + v39)
+            q2_mm = v45 + (angle1_______ + v39)
+            v56 = angle1___ + v39
+            v57 = v39 - angle1___
+            q3_pp = v41 + v56
+            q3_pm = v43 + v57
+            q3_mp = v44 + v56
+            q3_mm = v45 + v57
+            q4_pp = v41 + (v39 + (v50 - (m16 if half_turn < v50 else 0.0)))
+            q4_pm = v43 + (v39 + (v51 - (m16 if half_turn < v51 else 0.0)))
+            q4_mp = v44 + (v39 + (v52 - (m16 if half_turn < v52 else 0.0)))
+            q4_mm = v45 + (v39 + (v53 - (m16 if half_turn < v53 else 0.0)))
+            v58 = v39 + (angle1__ + v10)
+            v59 = v39 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+            q5_pp = v41 + v58
+            q5_pm = v43 + v58
+            q5_mp = v44 + v59
+            q5_mm = v45 + v59
             _1312 = q1_pp
             work[1312 + k] = _1312
             _1344 = q2_pp
@@ -1156,7 +1170,7 @@ def _in_tiles(T, q, status):
             work[1984 + k] = UNREACHABLE if _1472 != _1472 else OK
             work[2016 + k] = UNREACHABLE if _1632 != _1632 else OK
             work[2048 + k] = UNREACHABLE if _1792 != _1792 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,309 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KAWASAKI_RS007N_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>, too.
+ * */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KAWASAKI_RS007N_SCALAR) && !defined(KAWASAKI_RS007N_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef KAWASAKI_RS007N_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KAWASAKI_RS007N_UNREACHABLE) \
+        | (~(none) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KAWASAKI_RS007N_UNREACHABLE \
+        : (outside) ? (int)KAWASAKI_RS007N_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.36; /* joint offset 1 [m] */
 static const double a2 = 0.355; /* link length 2 [m] */
 static const double d4 = 0.375; /* joint offset 4 [m] */
@@ -44,10 +347,21 @@ static const double high3 = 2.705260341591211; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
 static const double m1 = 1.3642239999999997e-24; /* free_limit1^2 [m^2] */
-static const double m2 = 1.861107122175999e-48; /* free_limit_squared2^2 [m^4] */
-static const double m3 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m4 */
+static const double m2 = 1.4084507042253522; /* a coefficient of S2 */
+static const double m3 = 0.020563380281690184; /* a coefficient of S2 */
+static const double m4 = 1.861107122175999e-48; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 0.07723335317066737; /* a coefficient of c2m3 */
+static const double m6 = 5.289955696621042; /* a coefficient of c2m3 */
+static const double m7 = 1.4105666865040007; /* a coefficient of c2m3 */
+static const double m8 = 0.019466666666666712; /* a coefficient of c2m3 */
+static const double m9 = 1.333333333333333; /* a coefficient of c2m3 */
+static const double m10 = 1.487800039674668; /* a coefficient of v7 */
+static const double m11 = 2.821133373008001; /* a coefficient of v7 */
+static const double m14 = 1e-24; /* free_limit^2 */
+static const double m16 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 0.019466666666666712; /* m12 - m13 */
+static const double h2 = -0.019466666666666712; /* m13 - m12 */
+static const double h3 = 1.0; /* 2 * m15 */
 
 const char *const kawasaki_rs007n_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -62,12 +376,6 @@ static const double highest[6] = {
     3.141592653589793, 2.356194490192345, 2.705260340591211, 3.490658503988659, 2.181661564992912,
     6.283185307179586,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void kawasaki_rs007n_fk(const double q[6], double T[16])
 {
@@ -245,210 +553,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KAWASAKI_RS007N_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKAWASAKI_RS007N_SCALAR. With -DKAWASAKI_RS007N_LIBM the arctangents are those of <math.h>, too.
- * */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KAWASAKI_RS007N_SCALAR) && !defined(KAWASAKI_RS007N_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef KAWASAKI_RS007N_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KAWASAKI_RS007N_UNREACHABLE) \
-        | (~(none) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KAWASAKI_RS007N_UNREACHABLE \
-        : (outside) ? (int)KAWASAKI_RS007N_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -472,174 +576,180 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v3 = w3 - w3;
     const wide v4 = k1 * (N3 - k2);
-    const wide s3 = k3 * v4;
-    const wide v5 = k1 * w3;
-    const wide v6 = k3 * v5;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * s3;
-    const wide X2_2 = d4 * v6;
-    const wide v7 = Z1_3 * X1_2;
-    const wide v8 = w1 * X2_2;
-    const wide S2_pp = v7 + v8;
-    const wide S2_pm = v7 - v8;
-    const wide v9 = w1 * X1_2;
-    const wide v10 = Z1_3 * X2_2;
-    const wide C2_pp = v9 - v10;
-    const wide C2_pm = v9 + v10;
+    const wide v5 = m2 * N3 - m3;
+    const wide v6 = Z1_3 * v5;
+    const wide v7 = w3 * (m2 * w1);
+    const wide S2_pp = v6 + v7;
+    const wide S2_pm = v6 - v7;
+    const wide v8 = w3 * (m2 * Z1_3);
+    const wide v9 = w1 * v5;
+    const wide v10 = w1 * -v5;
+    const wide C2_pp = v9 - v8;
+    const wide C2_pm = v8 + v9;
+    const wide C2_mp = v10 - v8;
+    const wide C2_mm = v8 + v10;
     const wide v11 = S2_pp * S2_pp;
     const wide v12 = v11 + C2_pp * C2_pp;
-    const wide v13 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v14 = v11 + -C2_pp * -C2_pp;
+    const wide v13 = S2_pm * S2_pm;
+    const wide v14 = v13 + C2_pm * C2_pm;
+    const wide v15 = v13 + C2_mp * C2_mp;
+    const wide v16 = v11 + C2_mm * C2_mm;
     const wide factor2_pp = 1.0 / sqrt_wide(v12);
-    const wide factor2_pm = 1.0 / sqrt_wide(v13);
-    const wide factor2_mm = 1.0 / sqrt_wide(v14);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mm = -C2_pp * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mm = S2_pp * factor2_mm;
+    const wide factor2_pm = 1.0 / sqrt_wide(v14);
+    const wide factor2_mp = 1.0 / sqrt_wide(v15);
+    const wide factor2_mm = 1.0 / sqrt_wide(v16);
 
     /* theta4 */
-    const wide c2m3_pp = s3 * s2_pp - v6 * c2_pp;
-    const wide c2m3_pm = s3 * s2_pm + v6 * c2_pm;
-    const wide c2m3_mm = s3 * s2_mm + v6 * c2_mm;
-    const wide v15 = s3 * c2_pp + v6 * s2_pp;
-    const wide v16 = s3 * c2_pm - v6 * s2_pm;
-    const wide v17 = s3 * c2_mm - v6 * s2_mm;
-    const wide v18 = T13 * v2 + T23 * s1;
-    const wide c4_pp = T33 * v15 - c2m3_pp * v18;
-    const wide v19 = c2m3_pm * v18;
-    const wide c4_pm = T33 * v16 - v19;
-    const wide c4_mp = v19 + T33 * -v16;
-    const wide c4_mm = T33 * v17 + c2m3_mm * v18;
-    const wide v20 = T13 * s1 - T23 * v2;
-    const wide v21 = v20 * v20;
-    const wide v22 = v21 + c4_pp * c4_pp;
-    const wide v23 = v21 + c4_pm * c4_pm;
-    const wide v24 = v21 + c4_mp * c4_mp;
-    const wide v25 = v21 + c4_mm * c4_mm;
+    const wide v17 = m6 * N3;
+    const wide v18 = m5 - v17;
+    const wide v19 = v17 - m7;
+    const wide v20 = Z1_3 * (m8 + m9 * N3);
+    const wide v21 = v20 + w3 * (w1 * (v18 + v19));
+    const wide c2m3_pp = factor2_pp * v21;
+    const wide v22 = v20 + w3 * (w1 * (-v18 + -v19));
+    const wide c2m3_pm = factor2_pm * v22;
+    const wide c2m3_mp = factor2_mp * v22;
+    const wide c2m3_mm = factor2_mm * v21;
+    const wide v23 = v17 - m10;
+    const wide v24 = m11 - v17;
+    const wide v25 = m9 * (Z1_3 * w3);
+    const wide v26 = w1 * (N3 * (v23 + v24) + h1);
+    const wide v27 = factor2_pp * (v25 + v26);
+    const wide v28 = factor2_pm * (v26 - v25);
+    const wide v29 = w1 * (N3 * (-v23 + -v24) + h2);
+    const wide v30 = factor2_mp * (v25 + v29);
+    const wide v31 = factor2_mm * (v29 - v25);
+    const wide v32 = T13 * v2 + T23 * s1;
+    const wide c4_pp = T33 * v27 - c2m3_pp * v32;
+    const wide c4_pm = T33 * v28 - c2m3_pm * v32;
+    const wide c4_mp = T33 * v30 + c2m3_mp * v32;
+    const wide c4_mm = T33 * v31 + c2m3_mm * v32;
+    const wide v33 = T13 * s1 - T23 * v2;
+    const wide v34 = v33 * v33;
+    const wide v35 = v34 + c4_pp * c4_pp;
+    const wide v36 = v34 + c4_pm * c4_pm;
+    const wide v37 = v34 + c4_mp * c4_mp;
+    const wide v38 = v34 + c4_mm * c4_mm;
 
     /* theta6 */
-    const wide v26 = s1 * T12 - v2 * T22;
-    const wide v27 = v2 * T12 + s1 * T22;
-    const wide v28 = s1 * T11 - v2 * T21;
-    const wide v29 = v2 * T11 + s1 * T21;
+    const wide v39 = s1 * T12 - v2 * T22;
+    const wide v40 = v2 * T12 + s1 * T22;
+    const wide v41 = s1 * T11 - v2 * T21;
+    const wide v42 = v2 * T11 + s1 * T21;
 
     /* joint values */
     const wide angle1 = atan2_wide(wy, -X1);
-    const wide v30 = angle1 - offset1;
-    const wide v31 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1;
+    const wide v43 = angle1 - offset1;
+    const wide v44 = angle1 - copysign_wide(all_wide(half_turn), wy) * h3 - offset1;
     const wide angle1_ = atan2_wide(S2_pp, C2_pp);
-    const wide v32 = angle1_ - offset2;
+    const wide v45 = angle1_ - offset2;
     const wide angle1__ = atan2_wide(S2_pm, C2_pm);
-    const wide v33 = angle1__ - offset2;
-    const wide angle1___ = atan2_wide(S2_pm, -C2_pm);
-    const wide v34 = angle1___ - offset2;
-    const wide angle1____ = atan2_wide(S2_pp, -C2_pp);
-    const wide v35 = angle1____ - offset2;
-    const wide q2_ppp = v32 - pick_wide(half_turn < v32, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v33 - pick_wide(half_turn < v33, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v34 - pick_wide(half_turn < v34, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0));
-    const wide angle1_____ = atan2_wide(v4, -v5);
-    const wide v36 = angle1_____ - offset3;
-    const wide v37 = h1 * copysign_wide(all_wide(half_turn), v4) - angle1_____ - offset3;
-    const wide q3_ppp = v36 + pick_wide(v36 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_pmp = v37 + pick_wide(v37 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide angle1______ = atan2_wide(-v20, c4_pp);
-    const wide angle1_______ = atan2_wide(-v20, c4_pm);
-    const wide angle1________ = atan2_wide(v20, c4_mp);
-    const wide angle1_________ = atan2_wide(v20, c4_mm);
-    const wide v38 = h1 * copysign_wide(all_wide(half_turn), -v20);
-    const wide v39 = h1 * copysign_wide(all_wide(half_turn), v20);
-    const wide v40 = angle1______ - offset4;
-    const wide v41 = angle1______ - v38 - offset4;
-    const wide v42 = angle1_______ - offset4;
-    const wide v43 = angle1_______ - v38 - offset4;
-    const wide v44 = angle1________ - offset4;
-    const wide v45 = angle1________ - v39 - offset4;
-    const wide v46 = angle1_________ - offset4;
-    const wide v47 = angle1_________ - v39 - offset4;
-    const wide q4_ppp = v40 + pick_wide(v40 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_ppm = v41 + pick_wide(v41 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmp = v42 + pick_wide(v42 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmm = v43 + pick_wide(v43 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpp = v44 + pick_wide(v44 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpm = v45 + pick_wide(v45 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmp = v46 + pick_wide(v46 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmm = v47 + pick_wide(v47 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(sqrt_wide(v22), T33 * c2m3_pp + v15 * v18);
-    const wide v48 = T33 * c2m3_pm;
-    const wide angle1___________ = atan2_wide(sqrt_wide(v23), v48 + v16 * v18);
-    const wide angle1____________ = atan2_wide(sqrt_wide(v24), v48 - -v16 * v18);
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v25), T33 * c2m3_mm - v17 * v18);
-    const wide v49 = angle1__________ - offset5;
-    const wide v50 = offset5 + angle1__________;
-    const wide v51 = angle1___________ - offset5;
-    const wide v52 = offset5 + angle1___________;
-    const wide v53 = angle1____________ - offset5;
-    const wide v54 = offset5 + angle1____________;
-    const wide v55 = angle1_____________ - offset5;
-    const wide v56 = offset5 + angle1_____________;
-    const wide q5_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v50 <= -half_turn, all_wide(m5), all_wide(0.0)) - v50;
-    const wide q5_pmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v52 <= -half_turn, all_wide(m5), all_wide(0.0)) - v52;
-    const wide q5_mpp = v53 + pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v54 <= -half_turn, all_wide(m5), all_wide(0.0)) - v54;
-    const wide q5_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v56 <= -half_turn, all_wide(m5), all_wide(0.0)) - v56;
-    const wide v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29);
-    const wide v58 = c2m3_pm * v29;
-    const wide v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58);
-    const wide angle1______________ = atan2_wide(v57, c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp *
-        v27));
-    const wide v60 = c2m3_pm * v27;
-    const wide angle1_______________ = atan2_wide(v59, c4_pm * v26 + -v20 * (v16 * T32 - v60));
-    const wide angle1________________ = atan2_wide(-(c4_mp * v28 + -v20 * (v58 + -v16 * T31)),
-        -(c4_mp * v26 + -v20 * (v60 + -v16 * T32)));
-    const wide angle1_________________ = atan2_wide(-(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm *
-        v29)), -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27)));
-    const wide v61 = angle1______________ - offset6;
-    const wide v62 = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
-    const wide v63 = angle1_______________ - offset6;
-    const wide v64 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v59) - offset6;
-    const wide v65 = angle1________________ - offset6;
-    const wide v66 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_mp * v28
-        + -v20 * (v58 + -v16 * T31))) - offset6;
-    const wide v67 = angle1_________________ - offset6;
-    const wide v68 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_mm * v28
-        + -v20 * (v17 * T31 + c2m3_mm * v29))) - offset6;
-    const wide q6_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_ppm = v62 + pick_wide(v62 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_pmm = v64 + pick_wide(v64 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_mpm = v66 + pick_wide(v66 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q6_mmm = v68 + pick_wide(v68 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide_mask v69 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v70 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide q1_ppp = v3 + (v30 - pick_wide(half_turn < v30, all_wide(m5), all_wide(0.0)));
-    const wide q1_mpp = v3 + (v31 - pick_wide(half_turn < v31, all_wide(m5), all_wide(0.0)));
-    const wide_mask v71 = v69 | ((q2_ppp < low2) | (high2 < q2_ppp));
-    const wide_mask v72 = v70 | ((q2_pmp < low2) | (high2 < q2_pmp));
-    const wide_mask v73 = v69 | ((q2_mpp < low2) | (high2 < q2_mpp));
-    const wide_mask v74 = v70 | ((q2_mmp < low2) | (high2 < q2_mmp));
-    const wide_mask outside_ppp = v71 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v71 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v72 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v72 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v73 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v73 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v74 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v74 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask v75 = v13 <= m2;
-    const wide_mask doubt = ((v14 <= m2) | (v25 <= m3)) | ((v75 | (v24 <= m3)) | ((v75 | (v23 <=
-        m3)) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | ((v12 <= m2) | (v22 <= m3)))));
+    const wide v46 = angle1__ - offset2;
+    const wide angle1___ = atan2_wide(S2_pm, C2_mp);
+    const wide v47 = angle1___ - offset2;
+    const wide angle1____ = atan2_wide(S2_pp, C2_mm);
+    const wide v48 = angle1____ - offset2;
+    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m16), all_wide(0.0));
+    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m16), all_wide(0.0));
+    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m16), all_wide(0.0));
+    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m16), all_wide(0.0));
+    const wide angle1_____ = atan2_wide(v4, -(k1 * w3));
+    const wide v49 = angle1_____ - offset3;
+    const wide v50 = h3 * copysign_wide(all_wide(half_turn), v4) - angle1_____ - offset3;
+    const wide q3_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q3_pmp = v50 + pick_wide(v50 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide angle1______ = atan2_wide(-v33, c4_pp);
+    const wide angle1_______ = atan2_wide(-v33, c4_pm);
+    const wide angle1________ = atan2_wide(v33, c4_mp);
+    const wide angle1_________ = atan2_wide(v33, c4_mm);
+    const wide v51 = h3 * copysign_wide(all_wide(half_turn), -v33);
+    const wide v52 = h3 * copysign_wide(all_wide(half_turn), v33);
+    const wide v53 = angle1______ - offset4;
+    const wide v54 = angle1______ - v51 - offset4;
+    const wide v55 = angle1_______ - offset4;
+    const wide v56 = angle1_______ - v51 - offset4;
+    const wide v57 = angle1________ - offset4;
+    const wide v58 = angle1________ - v52 - offset4;
+    const wide v59 = angle1_________ - offset4;
+    const wide v60 = angle1_________ - v52 - offset4;
+    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(sqrt_wide(v35), T33 * c2m3_pp + v27 * v32);
+    const wide angle1___________ = atan2_wide(sqrt_wide(v36), T33 * c2m3_pm + v28 * v32);
+    const wide angle1____________ = atan2_wide(sqrt_wide(v37), T33 * c2m3_mp - v30 * v32);
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v38), T33 * c2m3_mm - v31 * v32);
+    const wide v61 = angle1__________ - offset5;
+    const wide v62 = offset5 + angle1__________;
+    const wide v63 = angle1___________ - offset5;
+    const wide v64 = offset5 + angle1___________;
+    const wide v65 = angle1____________ - offset5;
+    const wide v66 = offset5 + angle1____________;
+    const wide v67 = angle1_____________ - offset5;
+    const wide v68 = offset5 + angle1_____________;
+    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m16), all_wide(0.0)) - v62;
+    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m16), all_wide(0.0)) - v64;
+    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m16), all_wide(0.0)) - v66;
+    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m16), all_wide(0.0)) - v68;
+    const wide v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42);
+    const wide v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42);
+    const wide angle1______________ = atan2_wide(v69, c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp *
+        v40));
+    const wide angle1_______________ = atan2_wide(v70, c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm *
+        v40));
+    const wide angle1________________ = atan2_wide(-(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp *
+        v42)), -(c4_mp * v39 + -v33 * (v30 * T32 + c2m3_mp * v40)));
+    const wide angle1_________________ = atan2_wide(-(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm *
+        v42)), -(c4_mm * v39 + -v33 * (v31 * T32 + c2m3_mm * v40)));
+    const wide v71 = angle1______________ - offset6;
+    const wide v72 = angle1______________ - h3 * copysign_wide(all_wide(half_turn), v69) - offset6;
+    const wide v73 = angle1_______________ - offset6;
+    const wide v74 = angle1_______________ - h3 * copysign_wide(all_wide(half_turn), v70) - offset6;
+    const wide v75 = angle1________________ - offset6;
+    const wide v76 = angle1________________ - h3 * copysign_wide(all_wide(half_turn), -(c4_mp * v41
+        + -v33 * (v30 * T31 + c2m3_mp * v42))) - offset6;
+    const wide v77 = angle1_________________ - offset6;
+    const wide v78 = angle1_________________ - h3 * copysign_wide(all_wide(half_turn), -(c4_mm * v41
+        + -v33 * (v31 * T31 + c2m3_mm * v42))) - offset6;
+    const wide q6_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_ppm = v72 + pick_wide(v72 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_pmp = v73 + pick_wide(v73 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_pmm = v74 + pick_wide(v74 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_mpm = v76 + pick_wide(v76 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_mmp = v77 + pick_wide(v77 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide q6_mmm = v78 + pick_wide(v78 <= -half_turn, all_wide(m16), all_wide(0.0));
+    const wide_mask v79 = (q3_ppp < low3) | (high3 < q3_ppp);
+    const wide_mask v80 = (q3_pmp < low3) | (high3 < q3_pmp);
+    const wide q1_ppp = v3 + (v43 - pick_wide(half_turn < v43, all_wide(m16), all_wide(0.0)));
+    const wide q1_mpp = v3 + (v44 - pick_wide(half_turn < v44, all_wide(m16), all_wide(0.0)));
+    const wide_mask v81 = v79 | ((q2_ppp < low2) | (high2 < q2_ppp));
+    const wide_mask v82 = v80 | ((q2_pmp < low2) | (high2 < q2_pmp));
+    const wide_mask v83 = v79 | ((q2_mpp < low2) | (high2 < q2_mpp));
+    const wide_mask v84 = v80 | ((q2_mmp < low2) | (high2 < q2_mmp));
+    const wide_mask outside_ppp = v81 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v81 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v82 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v82 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v83 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v83 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v84 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v84 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (v38 <= m14) | ((v16 <= m4) | ((v37 <= m14) | ((v15 <= m4) | ((v36 <=
+        m14) | ((v14 <= m4) | ((v35 <= m14) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v12 <=
+        m4))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -698,74 +808,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-static const double m4 = 0.5; /* 1 / 2 */
+static const double m12 = 0.020594273622958455; /* a coefficient of v7 */
+static const double m13 = 0.001127606956291743; /* a coefficient of v7 */
+static const double m15 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -791,136 +840,101 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v3 = w3 - w3;
     const double v4 = k1 * (N3 - k2);
-    const double s3 = k3 * v4;
-    const double v5 = k1 * w3;
-    const double v6 = k3 * v5;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * s3;
-    const double X2_2 = d4 * v6;
-    const double v7 = Z1_3 * X1_2;
-    const double v8 = w1 * X2_2;
-    const four S2 = v7 + v8 * (e1 * e2);
-    const double v9 = w1 * X1_2;
-    const double v10 = Z1_3 * X2_2;
-    const four v11 = e1 * v9;
-    const four v12 = e2 * v10;
-    const four C2 = v11 - v12;
-    const four v13 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v13);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v5 = e1 * e2;
+    const double v6 = m2 * N3 - m3;
+    const double v7 = Z1_3 * v6;
+    const four S2 = v7 + w3 * (m2 * (w1 * v5));
+    const four v8 = e2 * Z1_3;
+    const four v9 = w3 * (m2 * v8);
+    const four v10 = w1 * (e1 * v6);
+    const four C2 = v10 - v9;
+    const four v11 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
 
     /* theta4 */
-    const four c2m3 = s3 * s2 - e2 * (v6 * c2);
-    const four v14 = s3 * c2 + e2 * (v6 * s2);
-    const double v15 = T13 * v2 + T23 * s1;
-    const four c4 = T33 * v14 - e1 * (c2m3 * v15);
-    const double v16 = T13 * s1 - T23 * v2;
-    const double v17 = v16 * v16;
-    const four v18 = v17 + c4 * c4;
+    const double v12 = m6 * N3;
+    const double v13 = m5 - v12;
+    const four v14 = e1 * v13;
+    const double v15 = v12 - m7;
+    const double v16 = Z1_3 * (m8 + m9 * N3);
+    const four c2m3 = factor2 * (v16 + w3 * (w1 * (e2 * v14 + v5 * v15)));
+    const double v17 = v12 - m10;
+    const four v18 = e1 * v17;
+    const double v19 = m11 - v12;
+    const four v20 = e2 * v19;
+    const four v21 = m12 * e1;
+    const four v22 = m13 * e2;
+    const four v23 = m9 * (w3 * v8);
+    const four v24 = factor2 * (v23 + w1 * (N3 * (v18 + v5 * v20) + (v21 - v5 * v22)));
+    const double v25 = T13 * v2 + T23 * s1;
+    const four c4 = T33 * v24 - e1 * (c2m3 * v25);
+    const double v26 = T13 * s1 - T23 * v2;
+    const double v27 = v26 * v26;
+    const four v28 = v27 + c4 * c4;
 
     /* theta6 */
-    const double v19 = s1 * T12 - v2 * T22;
-    const double v20 = v2 * T12 + s1 * T22;
-    const double v21 = s1 * T11 - v2 * T21;
-    const double v22 = v2 * T11 + s1 * T21;
+    const double v29 = s1 * T12 - v2 * T22;
+    const double v30 = v2 * T12 + s1 * T22;
+    const double v31 = s1 * T11 - v2 * T21;
+    const double v32 = v2 * T11 + s1 * T21;
 
     /* joint values */
-    const double v23 = copysign(half_turn, wy);
-    const double v26 = copysign(half_turn, v4);
-    const four v28 = e1 * -v16;
-    const four v29 = copysign_four(all_four(half_turn), v28) * h1;
-    const four v34 = e1 * (c4 * v21 + -v16 * (v14 * T31 - e1 * (c2m3 * v22)));
+    const double v33 = copysign(half_turn, wy);
+    const double v36 = copysign(half_turn, v4);
+    const four v38 = e1 * -v26;
+    const four v39 = copysign_four(all_four(half_turn), v38) * h1;
+    const four v44 = e1 * (c4 * v31 + -v26 * (v24 * T31 - e1 * (c2m3 * v32)));
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v13 <= m2) | (v18 <= m3));
+    const four_mask doubt2 = (v11 <= m4) | (v28 <= m14);
 
     const four angle1_ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(v28, c4);
-    const four angle1____ = atan2_four(sqrt_four(v18), T33 * c2m3 + e1 * (v14 * v15));
-    const four angle1_____ = atan2_four(v34, e1 * (c4 * v19 + -v16 * (v14 * T32 - e1 * (c2m3 *
-        v20))));
-    const four packed5 = atan2_four((four){ wy, v4, wy, wy }, (four){ -X1, -v5, -X1, -X1 });
+    const four angle1___ = atan2_four(v38, c4);
+    const four angle1____ = atan2_four(sqrt_four(v28), T33 * c2m3 + e1 * (v24 * v25));
+    const four angle1_____ = atan2_four(v44, e1 * (c4 * v29 + -v26 * (v24 * T32 - e1 * (c2m3 *
+        v30))));
+    const four packed5 = atan2_four((four){ wy, v4, wy, wy }, (four){ -X1, -(k1 * w3), -X1, -X1 });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four v24 = angle1 + v23 * (m4 * (e1 - 1.0)) - offset1;
-    const four v25 = angle1_ - offset2;
-    const four q2_p = v25 - pick_four(half_turn < v25, all_four(m5), all_four(0.0));
-    const four v27 = e2 * angle1__ + v26 * (m4 * (1.0 - e2)) - offset3;
-    const four q3_p = v27 + pick_four(v27 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v30 = angle1___ - offset4;
-    const four v31 = angle1___ - v29 - offset4;
-    const four q4_p = v30 + pick_four(v30 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q4_m = v31 + pick_four(v31 <= -half_turn, all_four(m5), all_four(0.0));
-    const four v32 = angle1____ - offset5;
-    const four v33 = offset5 + angle1____;
-    const four q5_p = v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q5_m = pick_four(-v33 <= -half_turn, all_four(m5), all_four(0.0)) - v33;
-    const four v35 = angle1_____ - offset6;
-    const four v36 = angle1_____ - h1 * copysign_four(all_four(half_turn), v34) - offset6;
-    const four q6_p = v35 + pick_four(v35 <= -half_turn, all_four(m5), all_four(0.0));
-    const four q6_m = v36 + pick_four(v36 <= -half_turn, all_four(m5), all_four(0.0));
-    const four_mask v37 = (q3_p < low3) | (high3 < q3_p);
-    const four q1_p = v3 + (v24 - pick_four(half_turn < v24, all_four(m5), all_four(0.0)));
-    const four_mask v38 = v37 | ((q2_p < low2) | (high2 < q2_p));
-    const four_mask outside_p = v38 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v38 | ((q5_m < low5) | (high5 < q5_m));
+    const four v34 = angle1 + v33 * (m15 * (e1 - 1.0)) - offset1;
+    const four v35 = angle1_ - offset2;
+    const four q2_p = v35 - pick_four(half_turn < v35, all_four(m16), all_four(0.0));
+    const four v37 = e2 * angle1__ + v36 * (m15 * (1.0 - e2)) - offset3;
+    const four q3_p = v37 + pick_four(v37 <= -half_turn, all_four(m16), all_four(0.0));
+    const four v40 = angle1___ - offset4;
+    const four v41 = angle1___ - v39 - offset4;
+    const four q4_p = v40 + pick_four(v40 <= -half_turn, all_four(m16), all_four(0.0));
+    const four q4_m = v41 + pick_four(v41 <= -half_turn, all_four(m16), all_four(0.0));
+    const four v42 = angle1____ - offset5;
+    const four v43 = offset5 + angle1____;
+    const four q5_p = v42 + pick_four(v42 <= -half_turn, all_four(m16), all_four(0.0));
+    const four q5_m = pick_four(-v43 <= -half_turn, all_four(m16), all_four(0.0)) - v43;
+    const four v45 = angle1_____ - offset6;
+    const four v46 = angle1_____ - h1 * copysign_four(all_four(half_turn), v44) - offset6;
+    const four q6_p = v45 + pick_four(v45 <= -half_turn, all_four(m16), all_four(0.0));
+    const four q6_m = v46 + pick_four(v46 <= -half_turn, all_four(m16), all_four(0.0));
+    const four_mask v47 = (q3_p < low3) | (high3 < q3_p);
+    const four q1_p = v3 + (v34 - pick_four(half_turn < v34, all_four(m16), all_four(0.0)));
+    const four_mask v48 = v47 | ((q2_p < low2) | (high2 < q2_p));
+    const four_mask outside_p = v48 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v48 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * KAWASAKI_RS007N_UNREACHABLE + (outside1 & ~none1) *
+        KAWASAKI_RS007N_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -86,10 +86,21 @@ high3 = 2.705260341591211  # highest value of joint 3
 low5 = -2.181661565992912  # lowest value of joint 5
 high5 = 2.181661565992912  # highest value of joint 5
 m1 = 1.3642239999999997e-24  # free_limit1^2 [m^2]
-m2 = 1.861107122175999e-48  # free_limit_squared2^2 [m^4]
-m3 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m4
+m2 = 1.4084507042253522  # a coefficient of S2
+m3 = 0.020563380281690184  # a coefficient of S2
+m4 = 1.861107122175999e-48  # free_limit_squared2^2 [m^4]
+m5 = 0.07723335317066737  # a coefficient of c2m3
+m6 = 5.289955696621042  # a coefficient of c2m3
+m7 = 1.4105666865040007  # a coefficient of c2m3
+m8 = 0.019466666666666712  # a coefficient of c2m3
+m9 = 1.333333333333333  # a coefficient of c2m3
+m10 = 1.487800039674668  # a coefficient of v7
+m11 = 2.821133373008001  # a coefficient of v7
+m14 = 1e-24  # free_limit^2
+m16 = 6.283185307179586  # 2 * half_turn
+h1 = 0.019466666666666712  # m12 - m13
+h2 = -0.019466666666666712  # m13 - m12
+h3 = 1.0  # 2 * m15
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -540,185 +551,189 @@ def _regular(pose, q, status):
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v3 = w3 - w3
     v4 = k1 * (N3 - k2)
-    s3 = k3 * v4
-    v5 = k1 * w3
-    v6 = k3 * v5
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = a2 + d4 * s3
-    X2_2 = d4 * v6
-    v7 = Z1_3 * X1_2
-    v8 = w1 * X2_2
-    S2_pp = v7 + v8
-    S2_pm = v7 - v8
-    v9 = w1 * X1_2
-    v10 = Z1_3 * X2_2
-    C2_pp = v9 - v10
-    C2_pm = v9 + v10
+    v5 = m2 * N3 - m3
+    v6 = Z1_3 * v5
+    v7 = w3 * (m2 * w1)
+    S2_pp = v6 + v7
+    S2_pm = v6 - v7
+    v8 = w3 * (m2 * Z1_3)
+    v9 = w1 * v5
+    v10 = w1 * -v5
+    C2_pp = v9 - v8
+    C2_pm = v8 + v9
+    C2_mp = v10 - v8
+    C2_mm = v8 + v10
     v11 = S2_pp * S2_pp
     v12 = v11 + C2_pp * C2_pp
-    v13 = S2_pm * S2_pm + C2_pm * C2_pm
-    v14 = v11 + -C2_pp * -C2_pp
+    v13 = S2_pm * S2_pm
+    v14 = v13 + C2_pm * C2_pm
+    v15 = v13 + C2_mp * C2_mp
+    v16 = v11 + C2_mm * C2_mm
     factor2_pp = 1.0 / math.sqrt(v12)
-    factor2_pm = 1.0 / math.sqrt(v13)
-    factor2_mm = 1.0 / math.sqrt(v14)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mm = -C2_pp * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mm = S2_pp * factor2_mm
+    factor2_pm = 1.0 / math.sqrt(v14)
+    factor2_mp = 1.0 / math.sqrt(v15)
+    factor2_mm = 1.0 / math.sqrt(v16)
 
     # theta4, type 2: U4[3, 3]
-    c2m3_pp = s3 * s2_pp - v6 * c2_pp
-    c2m3_pm = s3 * s2_pm + v6 * c2_pm
-    c2m3_mm = s3 * s2_mm + v6 * c2_mm
-    v15 = s3 * c2_pp + v6 * s2_pp
-    v16 = s3 * c2_pm - v6 * s2_pm
-    v17 = s3 * c2_mm - v6 * s2_mm
-    v18 = T13 * v2 + T23 * s1
-    c4_pp = T33 * v15 - c2m3_pp * v18
-    v19 = c2m3_pm * v18
-    c4_pm = T33 * v16 - v19
-    c4_mp = v19 + T33 * -v16
-    c4_mm = T33 * v17 + c2m3_mm * v18
-    v20 = T13 * s1 - T23 * v2
-    v21 = v20 * v20
-    v22 = v21 + c4_pp * c4_pp
-    v23 = v21 + c4_pm * c4_pm
-    v24 = v21 + c4_mp * c4_mp
-    v25 = v21 + c4_mm * c4_mm
+    v17 = m6 * N3
+    v18 = m5 - v17
+    v19 = v17 - m7
+    v20 = Z1_3 * (m8 + m9 * N3)
+    v21 = v20 + w3 * (w1 * (v18 + v19))
+    c2m3_pp = factor2_pp * v21
+    v22 = v20 + w3 * (w1 * (-v18 + -v19))
+    c2m3_pm = factor2_pm * v22
+    c2m3_mp = factor2_mp * v22
+    c2m3_mm = factor2_mm * v21
+    v23 = v17 - m10
+    v24 = m11 - v17
+    v25 = m9 * (Z1_3 * w3)
+    v26 = w1 * (N3 * (v23 + v24) + h1)
+    v27 = factor2_pp * (v25 + v26)
+    v28 = factor2_pm * (v26 - v25)
+    v29 = w1 * (N3 * (-v23 + -v24) + h2)
+    v30 = factor2_mp * (v25 + v29)
+    v31 = factor2_mm * (v29 - v25)
+    v32 = T13 * v2 + T23 * s1
+    c4_pp = T33 * v27 - c2m3_pp * v32
+    c4_pm = T33 * v28 - c2m3_pm * v32
+    c4_mp = T33 * v30 + c2m3_mp * v32
+    c4_mm = T33 * v31 + c2m3_mm * v32
+    v33 = T13 * s1 - T23 * v2
+    v34 = v33 * v33
+    v35 = v34 + c4_pp * c4_pp
+    v36 = v34 + c4_pm * c4_pm
+    v37 = v34 + c4_mp * c4_mp
+    v38 = v34 + c4_mm * c4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v26 = s1 * T12 - v2 * T22
-    v27 = v2 * T12 + s1 * T22
-    v28 = s1 * T11 - v2 * T21
-    v29 = v2 * T11 + s1 * T21
+    v39 = s1 * T12 - v2 * T22
+    v40 = v2 * T12 + s1 * T22
+    v41 = s1 * T11 - v2 * T21
+    v42 = v2 * T11 + s1 * T21
 
     # joint values
     angle1 = _atan2(wy, -X1)
-    v30 = angle1 - offset1
-    v31 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+    v43 = angle1 - offset1
+    v44 = angle1 - math.copysign(half_turn, wy) * h3 - offset1
     angle1_ = _atan2(S2_pp, C2_pp)
-    v32 = angle1_ - offset2
+    v45 = angle1_ - offset2
     angle1__ = _atan2(S2_pm, C2_pm)
-    v33 = angle1__ - offset2
-    angle1___ = _atan2(S2_pm, -C2_pm)
-    v34 = angle1___ - offset2
-    angle1____ = _atan2(S2_pp, -C2_pp)
-    v35 = angle1____ - offset2
-    q2_ppp = v32 - (m5 if half_turn < v32 else 0.0)
-    q2_pmp = v33 - (m5 if half_turn < v33 else 0.0)
-    q2_mpp = v34 - (m5 if half_turn < v34 else 0.0)
-    q2_mmp = v35 - (m5 if half_turn < v35 else 0.0)
-    angle1_____ = _atan2(v4, -v5)
-    v36 = angle1_____ - offset3
-    v37 = h1 * math.copysign(half_turn, v4) - angle1_____ - offset3
-    q3_ppp = v36 + (m5 if v36 <= -half_turn else 0.0)
-    q3_pmp = v37 + (m5 if v37 <= -half_turn else 0.0)
-    angle1______ = _atan2(-v20, c4_pp)
-    angle1_______ = _atan2(-v20, c4_pm)
-    angle1________ = _atan2(v20, c4_mp)
-    angle1_________ = _atan2(v20, c4_mm)
-    v38 = h1 * math.copysign(half_turn, -v20)
-    v39 = h1 * math.copysign(half_turn, v20)
-    v40 = angle1______ - offset4
-    v41 = angle1______ - v38 - offset4
-    v42 = angle1_______ - offset4
-    v43 = angle1_______ - v38 - offset4
-    v44 = angle1________ - offset4
-    v45 = angle1________ - v39 - offset4
-    v46 = angle1_________ - offset4
-    v47 = angle1_________ - v39 - offset4
-    q4_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
-    q4_ppm = v41 + (m5 if v41 <= -half_turn else 0.0)
-    q4_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
-    q4_pmm = v43 + (m5 if v43 <= -half_turn else 0.0)
-    q4_mpp = v44 + (m5 if v44 <= -half_turn else 0.0)
-    q4_mpm = v45 + (m5 if v45 <= -half_turn else 0.0)
-    q4_mmp = v46 + (m5 if v46 <= -half_turn else 0.0)
-    q4_mmm = v47 + (m5 if v47 <= -half_turn else 0.0)
-    angle1__________ = _atan2(math.sqrt(v22), T33 * c2m3_pp + v15 * v18)
-    v48 = T33 * c2m3_pm
-    angle1___________ = _atan2(math.sqrt(v23), v48 + v16 * v18)
-    angle1____________ = _atan2(math.sqrt(v24), v48 - -v16 * v18)
-    angle1_____________ = _atan2(math.sqrt(v25), T33 * c2m3_mm - v17 * v18)
-    v49 = angle1__________ - offset5
-    v50 = offset5 + angle1__________
-    v51 = angle1___________ - offset5
-    v52 = offset5 + angle1___________
-    v53 = angle1____________ - offset5
-    v54 = offset5 + angle1____________
-    v55 = angle1_____________ - offset5
-    v56 = offset5 + angle1_____________
-    q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
-    q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-    q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
-    q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
-    v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29)
-    v58 = c2m3_pm * v29
-    v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58)
-    angle1______________ = _atan2(v57, c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27))
-    v60 = c2m3_pm * v27
-    angle1_______________ = _atan2(v59, c4_pm * v26 + -v20 * (v16 * T32 - v60))
+    v46 = angle1__ - offset2
+    angle1___ = _atan2(S2_pm, C2_mp)
+    v47 = angle1___ - offset2
+    angle1____ = _atan2(S2_pp, C2_mm)
+    v48 = angle1____ - offset2
+    q2_ppp = v45 - (m16 if half_turn < v45 else 0.0)
+    q2_pmp = v46 - (m16 if half_turn < v46 else 0.0)
+    q2_mpp = v47 - (m16 if half_turn < v47 else 0.0)
+    q2_mmp = v48 - (m16 if half_turn < v48 else 0.0)
+    angle1_____ = _atan2(v4, -(k1 * w3))
+    v49 = angle1_____ - offset3
+    v50 = h3 * math.copysign(half_turn, v4) - angle1_____ - offset3
+    q3_ppp = v49 + (m16 if v49 <= -half_turn else 0.0)
+    q3_pmp = v50 + (m16 if v50 <= -half_turn else 0.0)
+    angle1______ = _atan2(-v33, c4_pp)
+    angle1_______ = _atan2(-v33, c4_pm)
+    angle1________ = _atan2(v33, c4_mp)
+    angle1_________ = _atan2(v33, c4_mm)
+    v51 = h3 * math.copysign(half_turn, -v33)
+    v52 = h3 * math.copysign(half_turn, v33)
+    v53 = angle1______ - offset4
+    v54 = angle1______ - v51 - offset4
+    v55 = angle1_______ - offset4
+    v56 = angle1_______ - v51 - offset4
+    v57 = angle1________ - offset4
+    v58 = angle1________ - v52 - offset4
+    v59 = angle1_________ - offset4
+    v60 = angle1_________ - v52 - offset4
+    q4_ppp = v53 + (m16 if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 + (m16 if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 + (m16 if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 + (m16 if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 + (m16 if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 + (m16 if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 + (m16 if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 + (m16 if v60 <= -half_turn else 0.0)
+    angle1__________ = _atan2(math.sqrt(v35), T33 * c2m3_pp + v27 * v32)
+    angle1___________ = _atan2(math.sqrt(v36), T33 * c2m3_pm + v28 * v32)
+    angle1____________ = _atan2(math.sqrt(v37), T33 * c2m3_mp - v30 * v32)
+    angle1_____________ = _atan2(math.sqrt(v38), T33 * c2m3_mm - v31 * v32)
+    v61 = angle1__________ - offset5
+    v62 = offset5 + angle1__________
+    v63 = angle1___________ - offset5
+    v64 = offset5 + angle1___________
+    v65 = angle1____________ - offset5
+    v66 = offset5 + angle1____________
+    v67 = angle1_____________ - offset5
+    v68 = offset5 + angle1_____________
+    q5_ppp = v61 + (m16 if v61 <= -half_turn else 0.0)
+    q5_ppm = (m16 if -v62 <= -half_turn else 0.0) - v62
+    q5_pmp = v63 + (m16 if v63 <= -half_turn else 0.0)
+    q5_pmm = (m16 if -v64 <= -half_turn else 0.0) - v64
+    q5_mpp = v65 + (m16 if v65 <= -half_turn else 0.0)
+    q5_mpm = (m16 if -v66 <= -half_turn else 0.0) - v66
+    q5_mmp = v67 + (m16 if v67 <= -half_turn else 0.0)
+    q5_mmm = (m16 if -v68 <= -half_turn else 0.0) - v68
+    v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42)
+    v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42)
+    angle1______________ = _atan2(v69, c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp * v40))
+    angle1_______________ = _atan2(v70, c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm * v40))
     angle1________________ = (
-        _atan2(-(c4_mp * v28 + -v20 * (v58 + -v16 * T31)), -(c4_mp * v26 + -v20 * (v60 + -v16 *
-        T32)))
+        _atan2(-(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp * v42)), -(c4_mp * v39 + -v33 * (v30 *
+        T32 + c2m3_mp * v40)))
     )
     angle1_________________ = (
-        _atan2(-(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29)), -(c4_mm * v26 + -v20 * (v17 *
-        T32 + c2m3_mm * v27)))
+        _atan2(-(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm * v42)), -(c4_mm * v39 + -v33 * (v31 *
+        T32 + c2m3_mm * v40)))
     )
-    v61 = angle1______________ - offset6
-    v62 = angle1______________ - h1 * math.copysign(half_turn, v57) - offset6
-    v63 = angle1_______________ - offset6
-    v64 = angle1_______________ - h1 * math.copysign(half_turn, v59) - offset6
-    v65 = angle1________________ - offset6
-    v66 = (
-        angle1________________ - h1 * math.copysign(half_turn, -(c4_mp * v28 + -v20 * (v58 + -v16 *
-        T31))) - offset6
+    v71 = angle1______________ - offset6
+    v72 = angle1______________ - h3 * math.copysign(half_turn, v69) - offset6
+    v73 = angle1_______________ - offset6
+    v74 = angle1_______________ - h3 * math.copysign(half_turn, v70) - offset6
+    v75 = angle1________________ - offset6
+    v76 = (
+        angle1________________ - h3 * math.copysign(half_turn, -(c4_mp * v41 + -v33 * (v30 * T31 +
+        c2m3_mp * v42))) - offset6
     )
-    v67 = angle1_________________ - offset6
-    v68 = (
-        angle1_________________ - h1 * math.copysign(half_turn, -(c4_mm * v28 + -v20 * (v17 * T31 +
-        c2m3_mm * v29))) - offset6
+    v77 = angle1_________________ - offset6
+    v78 = (
+        angle1_________________ - h3 * math.copysign(half_turn, -(c4_mm * v41 + -v33 * (v31 * T31 +
+        c2m3_mm * v42))) - offset6
     )
-    q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
-    q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
-    q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
-    q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
-    q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
-    q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
-    q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
-    v69 = q3_ppp < low3 or high3 < q3_ppp
-    v70 = q3_pmp < low3 or high3 < q3_pmp
-    q1_ppp = v3 + (v30 - (m5 if half_turn < v30 else 0.0))
-    q1_mpp = v3 + (v31 - (m5 if half_turn < v31 else 0.0))
-    v71 = v69 or (q2_ppp < low2 or high2 < q2_ppp)
-    v72 = v70 or (q2_pmp < low2 or high2 < q2_pmp)
-    v73 = v69 or (q2_mpp < low2 or high2 < q2_mpp)
-    v74 = v70 or (q2_mmp < low2 or high2 < q2_mmp)
-    outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
-    v75 = v13 <= m2
-    doubt = (
-        v14 <= m2 or v25 <= m3 or (v75 or v24 <= m3 or (v75 or v23 <= m3 or (v1 <= m1 or
-        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v12 <= m2 or v22 <= m3))))
+    q6_ppp = v71 + (m16 if v71 <= -half_turn else 0.0)
+    q6_ppm = v72 + (m16 if v72 <= -half_turn else 0.0)
+    q6_pmp = v73 + (m16 if v73 <= -half_turn else 0.0)
+    q6_pmm = v74 + (m16 if v74 <= -half_turn else 0.0)
+    q6_mpp = v75 + (m16 if v75 <= -half_turn else 0.0)
+    q6_mpm = v76 + (m16 if v76 <= -half_turn else 0.0)
+    q6_mmp = v77 + (m16 if v77 <= -half_turn else 0.0)
+    q6_mmm = v78 + (m16 if v78 <= -half_turn else 0.0)
+    v79 = q3_ppp < low3 or high3 < q3_ppp
+    v80 = q3_pmp < low3 or high3 < q3_pmp
+    q1_ppp = v3 + (v43 - (m16 if half_turn < v43 else 0.0))
+    q1_mpp = v3 + (v44 - (m16 if half_turn < v44 else 0.0))
+    v81 = v79 or (q2_ppp < low2 or high2 < q2_ppp)
+    v82 = v80 or (q2_pmp < low2 or high2 < q2_pmp)
+    v83 = v79 or (q2_mpp < low2 or high2 < q2_mpp)
+    v84 = v80 or (q2_mmp < low2 or high2 < q2_mmp)
+    outside_ppp = v81 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v81 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v82 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v82 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v83 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v83 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v84 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v84 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt1 = (
+        v38 <= m14 or (v16 <= m4 or (v37 <= m14 or (v15 <= m4 or (v36 <= m14 or (v14 <= m4 or (v35
+        <= m14 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart) or v12 <= m4)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -972,120 +987,124 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v3 = w3 - w3
             v4 = k1 * (N3 - k2)
-            s3 = k3 * v4
-            v5 = k1 * w3
-            v6 = k3 * v5
-            X1_2 = a2 + d4 * s3
-            X2_2 = d4 * v6
-            v7 = Z1_3 * X1_2
-            v8 = w1 * X2_2
-            S2_pp = v7 + v8
-            S2_pm = v7 - v8
-            v9 = w1 * X1_2
-            v10 = Z1_3 * X2_2
-            C2_pp = v9 - v10
-            C2_pm = v9 + v10
+            v5 = m2 * N3 - m3
+            v6 = Z1_3 * v5
+            v7 = w3 * (m2 * w1)
+            S2_pp = v6 + v7
+            S2_pm = v6 - v7
+            v8 = w3 * (m2 * Z1_3)
+            v9 = w1 * v5
+            v10 = w1 * -v5
+            C2_pp = v9 - v8
+            C2_pm = v8 + v9
+            C2_mp = v10 - v8
+            C2_mm = v8 + v10
             v11 = S2_pp * S2_pp
             v12 = v11 + C2_pp * C2_pp
-            v13 = S2_pm * S2_pm + C2_pm * C2_pm
-            v14 = v11 + -C2_pp * -C2_pp
+            v13 = S2_pm * S2_pm
+            v14 = v13 + C2_pm * C2_pm
+            v15 = v13 + C2_mp * C2_mp
+            v16 = v11 + C2_mm * C2_mm
             factor2_pp = 1.0 / math.sqrt(v12)
-            factor2_pm = 1.0 / math.sqrt(v13)
-            factor2_mm = 1.0 / math.sqrt(v14)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mm = -C2_pp * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mm = S2_pp * factor2_mm
-            c2m3_pp = s3 * s2_pp - v6 * c2_pp
-            c2m3_pm = s3 * s2_pm + v6 * c2_pm
-            c2m3_mm = s3 * s2_mm + v6 * c2_mm
-            v15 = s3 * c2_pp + v6 * s2_pp
-            v16 = s3 * c2_pm - v6 * s2_pm
-            v17 = s3 * c2_mm - v6 * s2_mm
-            v18 = T13 * v2 + T23 * s1
-            c4_pp = T33 * v15 - c2m3_pp * v18
-            v19 = c2m3_pm * v18
-            c4_pm = T33 * v16 - v19
-            c4_mp = v19 + T33 * -v16
-            c4_mm = T33 * v17 + c2m3_mm * v18
-            v20 = T13 * s1 - T23 * v2
-            v21 = v20 * v20
-            v22 = v21 + c4_pp * c4_pp
-            v23 = v21 + c4_pm * c4_pm
-            v24 = v21 + c4_mp * c4_mp
-            v25 = v21 + c4_mm * c4_mm
-            v26 = s1 * T12 - v2 * T22
-            v27 = v2 * T12 + s1 * T22
-            v28 = s1 * T11 - v2 * T21
-            v29 = v2 * T11 + s1 * T21
-            v38 = h1 * math.copysign(half_turn, -v20)
-            v39 = h1 * math.copysign(half_turn, v20)
-            v48 = T33 * c2m3_pm
-            v57 = c4_pp * v28 + -v20 * (v15 * T31 - c2m3_pp * v29)
-            v58 = c2m3_pm * v29
-            v59 = c4_pm * v28 + -v20 * (v16 * T31 - v58)
-            v60 = c2m3_pm * v27
-            v75 = v13 <= m2
-            doubt = (
-                v14 <= m2 or v25 <= m3 or (v75 or v24 <= m3 or (v75 or v23 <= m3 or (v1 <= m1 or
-                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (v12 <= m2 or v22 <= m3))))
+            factor2_pm = 1.0 / math.sqrt(v14)
+            factor2_mp = 1.0 / math.sqrt(v15)
+            factor2_mm = 1.0 / math.sqrt(v16)
+            v17 = m6 * N3
+            v18 = m5 - v17
+            v19 = v17 - m7
+            v20 = Z1_3 * (m8 + m9 * N3)
+            v21 = v20 + w3 * (w1 * (v18 + v19))
+            c2m3_pp = factor2_pp * v21
+            v22 = v20 + w3 * (w1 * (-v18 + -v19))
+            c2m3_pm = factor2_pm * v22
+            c2m3_mp = factor2_mp * v22
+            c2m3_mm = factor2_mm * v21
+            v23 = v17 - m10
+            v24 = m11 - v17
+            v25 = m9 * (Z1_3 * w3)
+            v26 = w1 * (N3 * (v23 + v24) + h1)
+            v27 = factor2_pp * (v25 + v26)
+            v28 = factor2_pm * (v26 - v25)
+            v29 = w1 * (N3 * (-v23 + -v24) + h2)
+            v30 = factor2_mp * (v25 + v29)
+            v31 = factor2_mm * (v29 - v25)
+            v32 = T13 * v2 + T23 * s1
+            c4_pp = T33 * v27 - c2m3_pp * v32
+            c4_pm = T33 * v28 - c2m3_pm * v32
+            c4_mp = T33 * v30 + c2m3_mp * v32
+            c4_mm = T33 * v31 + c2m3_mm * v32
+            v33 = T13 * s1 - T23 * v2
+            v34 = v33 * v33
+            v35 = v34 + c4_pp * c4_pp
+            v36 = v34 + c4_pm * c4_pm
+            v37 = v34 + c4_mp * c4_mp
+            v38 = v34 + c4_mm * c4_mm
+            v39 = s1 * T12 - v2 * T22
+            v40 = v2 * T12 + s1 * T22
+            v41 = s1 * T11 - v2 * T21
+            v42 = v2 * T11 + s1 * T21
+            v51 = h3 * math.copysign(half_turn, -v33)
+            v52 = h3 * math.copysign(half_turn, v33)
+            v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42)
+            v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42)
+            doubt1 = (
+                v38 <= m14 or (v16 <= m4 or (v37 <= m14 or (v15 <= m4 or (v36 <= m14 or (v14 <= m4
+                or (v35 <= m14 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and
+                not (shortest3_apart < N3 and N3 < longest3_apart) or v12 <= m4)))))))
             )
             work[544 + k] = wy
             work[576 + k] = v3
             work[608 + k] = v4
-            work[640 + k] = c2m3_mm
-            work[672 + k] = v16
-            work[704 + k] = v17
-            work[736 + k] = c4_mp
-            work[768 + k] = c4_mm
-            work[800 + k] = v20
-            work[832 + k] = v28
-            work[864 + k] = v29
-            work[896 + k] = v38
-            work[928 + k] = v39
-            work[960 + k] = v57
-            work[992 + k] = v58
-            work[1024 + k] = v59
-            work[1056 + k] = doubt
+            work[640 + k] = c2m3_mp
+            work[672 + k] = c2m3_mm
+            work[704 + k] = v30
+            work[736 + k] = v31
+            work[768 + k] = c4_mp
+            work[800 + k] = c4_mm
+            work[832 + k] = v33
+            work[864 + k] = v41
+            work[896 + k] = v42
+            work[928 + k] = v51
+            work[960 + k] = v52
+            work[992 + k] = v69
+            work[1024 + k] = v70
+            work[1056 + k] = doubt1
             work[1088 + k] = wy
             work[1120 + k] = S2_pp
             work[1152 + k] = S2_pm
             work[1184 + k] = S2_pm
             work[1216 + k] = S2_pp
             work[1248 + k] = v4
-            work[1280 + k] = -v20
-            work[1312 + k] = -v20
-            work[1344 + k] = v20
-            work[1376 + k] = v20
-            work[1408 + k] = math.sqrt(v22)
-            work[1440 + k] = math.sqrt(v23)
-            work[1472 + k] = math.sqrt(v24)
-            work[1504 + k] = math.sqrt(v25)
-            work[1536 + k] = v57
-            work[1568 + k] = v59
-            work[1600 + k] = -(c4_mp * v28 + -v20 * (v58 + -v16 * T31))
-            work[1632 + k] = -(c4_mm * v28 + -v20 * (v17 * T31 + c2m3_mm * v29))
+            work[1280 + k] = -v33
+            work[1312 + k] = -v33
+            work[1344 + k] = v33
+            work[1376 + k] = v33
+            work[1408 + k] = math.sqrt(v35)
+            work[1440 + k] = math.sqrt(v36)
+            work[1472 + k] = math.sqrt(v37)
+            work[1504 + k] = math.sqrt(v38)
+            work[1536 + k] = v69
+            work[1568 + k] = v70
+            work[1600 + k] = -(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp * v42))
+            work[1632 + k] = -(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm * v42))
             work[1664 + k] = -X1
             work[1696 + k] = C2_pp
             work[1728 + k] = C2_pm
-            work[1760 + k] = -C2_pm
-            work[1792 + k] = -C2_pp
-            work[1824 + k] = -v5
+            work[1760 + k] = C2_mp
+            work[1792 + k] = C2_mm
+            work[1824 + k] = -(k1 * w3)
             work[1856 + k] = c4_pp
             work[1888 + k] = c4_pm
             work[1920 + k] = c4_mp
             work[1952 + k] = c4_mm
-            work[1984 + k] = T33 * c2m3_pp + v15 * v18
-            work[2016 + k] = v48 + v16 * v18
-            work[2048 + k] = v48 - -v16 * v18
-            work[2080 + k] = T33 * c2m3_mm - v17 * v18
-            work[2112 + k] = c4_pp * v26 + -v20 * (v15 * T32 - c2m3_pp * v27)
-            work[2144 + k] = c4_pm * v26 + -v20 * (v16 * T32 - v60)
-            work[2176 + k] = -(c4_mp * v26 + -v20 * (v60 + -v16 * T32))
-            work[2208 + k] = -(c4_mm * v26 + -v20 * (v17 * T32 + c2m3_mm * v27))
+            work[1984 + k] = T33 * c2m3_pp + v27 * v32
+            work[2016 + k] = T33 * c2m3_pm + v28 * v32
+            work[2048 + k] = T33 * c2m3_mp - v30 * v32
+            work[2080 + k] = T33 * c2m3_mm - v31 * v32
+            work[2112 + k] = c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp * v40)
+            work[2144 + k] = c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm * v40)
+            work[2176 + k] = -(c4_mp * v39 + -v33 * (v30 * T32 + c2m3_mp * v40))
+            work[2208 + k] = -(c4_mm * v39 + -v33 * (v31 * T32 + c2m3_mm * v40))
         for k in range(1088, 1664):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
@@ -1093,20 +1112,20 @@ def _in_tiles(T, q, status):
             wy = work[544 + k]
             v3 = work[576 + k]
             v4 = work[608 + k]
-            c2m3_mm = work[640 + k]
-            v16 = work[672 + k]
-            v17 = work[704 + k]
-            c4_mp = work[736 + k]
-            c4_mm = work[768 + k]
-            v20 = work[800 + k]
-            v28 = work[832 + k]
-            v29 = work[864 + k]
-            v38 = work[896 + k]
-            v39 = work[928 + k]
-            v57 = work[960 + k]
-            v58 = work[992 + k]
-            v59 = work[1024 + k]
-            doubt = work[1056 + k] != 0.0
+            c2m3_mp = work[640 + k]
+            c2m3_mm = work[672 + k]
+            v30 = work[704 + k]
+            v31 = work[736 + k]
+            c4_mp = work[768 + k]
+            c4_mm = work[800 + k]
+            v33 = work[832 + k]
+            v41 = work[864 + k]
+            v42 = work[896 + k]
+            v51 = work[928 + k]
+            v52 = work[960 + k]
+            v69 = work[992 + k]
+            v70 = work[1024 + k]
+            doubt1 = work[1056 + k] != 0.0
             angle1 = work[1088 + k]
             angle1_ = work[1120 + k]
             angle1__ = work[1152 + k]
@@ -1125,90 +1144,90 @@ def _in_tiles(T, q, status):
             angle1_______________ = work[1568 + k]
             angle1________________ = work[1600 + k]
             angle1_________________ = work[1632 + k]
-            v30 = angle1 - offset1
-            v31 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
-            v32 = angle1_ - offset2
-            v33 = angle1__ - offset2
-            v34 = angle1___ - offset2
-            v35 = angle1____ - offset2
-            q2_ppp = v32 - (m5 if half_turn < v32 else 0.0)
-            q2_pmp = v33 - (m5 if half_turn < v33 else 0.0)
-            q2_mpp = v34 - (m5 if half_turn < v34 else 0.0)
-            q2_mmp = v35 - (m5 if half_turn < v35 else 0.0)
-            v36 = angle1_____ - offset3
-            v37 = h1 * math.copysign(half_turn, v4) - angle1_____ - offset3
-            q3_ppp = v36 + (m5 if v36 <= -half_turn else 0.0)
-            q3_pmp = v37 + (m5 if v37 <= -half_turn else 0.0)
-            v40 = angle1______ - offset4
-            v41 = angle1______ - v38 - offset4
-            v42 = angle1_______ - offset4
-            v43 = angle1_______ - v38 - offset4
-            v44 = angle1________ - offset4
-            v45 = angle1________ - v39 - offset4
-            v46 = angle1_________ - offset4
-            v47 = angle1_________ - v39 - offset4
-            q4_ppp = v40 + (m5 if v40 <= -half_turn else 0.0)
-            q4_ppm = v41 + (m5 if v41 <= -half_turn else 0.0)
-            q4_pmp = v42 + (m5 if v42 <= -half_turn else 0.0)
-            q4_pmm = v43 + (m5 if v43 <= -half_turn else 0.0)
-            q4_mpp = v44 + (m5 if v44 <= -half_turn else 0.0)
-            q4_mpm = v45 + (m5 if v45 <= -half_turn else 0.0)
-            q4_mmp = v46 + (m5 if v46 <= -half_turn else 0.0)
-            q4_mmm = v47 + (m5 if v47 <= -half_turn else 0.0)
-            v49 = angle1__________ - offset5
-            v50 = offset5 + angle1__________
-            v51 = angle1___________ - offset5
-            v52 = offset5 + angle1___________
-            v53 = angle1____________ - offset5
-            v54 = offset5 + angle1____________
-            v55 = angle1_____________ - offset5
-            v56 = offset5 + angle1_____________
-            q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
-            q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-            q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
-            q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
-            v61 = angle1______________ - offset6
-            v62 = angle1______________ - h1 * math.copysign(half_turn, v57) - offset6
-            v63 = angle1_______________ - offset6
-            v64 = angle1_______________ - h1 * math.copysign(half_turn, v59) - offset6
-            v65 = angle1________________ - offset6
-            v66 = (
-                angle1________________ - h1 * math.copysign(half_turn, -(c4_mp * v28 + -v20 * (v58 +
-                -v16 * T31))) - offset6
+            v43 = angle1 - offset1
+            v44 = angle1 - math.copysign(half_turn, wy) * h3 - offset1
+            v45 = angle1_ - offset2
+            v46 = angle1__ - offset2
+            v47 = angle1___ - offset2
+            v48 = angle1____ - offset2
+            q2_ppp = v45 - (m16 if half_turn < v45 else 0.0)
+            q2_pmp = v46 - (m16 if half_turn < v46 else 0.0)
+            q2_mpp = v47 - (m16 if half_turn < v47 else 0.0)
+            q2_mmp = v48 - (m16 if half_turn < v48 else 0.0)
+            v49 = angle1_____ - offset3
+            v50 = h3 * math.copysign(half_turn, v4) - angle1_____ - offset3
+            q3_ppp = v49 + (m16 if v49 <= -half_turn else 0.0)
+            q3_pmp = v50 + (m16 if v50 <= -half_turn else 0.0)
+            v53 = angle1______ - offset4
+            v54 = angle1______ - v51 - offset4
+            v55 = angle1_______ - offset4
+            v56 = angle1_______ - v51 - offset4
+            v57 = angle1________ - offset4
+            v58 = angle1________ - v52 - offset4
+            v59 = angle1_________ - offset4
+            v60 = angle1_________ - v52 - offset4
+            q4_ppp = v53 + (m16 if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 + (m16 if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 + (m16 if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 + (m16 if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 + (m16 if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 + (m16 if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 + (m16 if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 + (m16 if v60 <= -half_turn else 0.0)
+            v61 = angle1__________ - offset5
+            v62 = offset5 + angle1__________
+            v63 = angle1___________ - offset5
+            v64 = offset5 + angle1___________
+            v65 = angle1____________ - offset5
+            v66 = offset5 + angle1____________
+            v67 = angle1_____________ - offset5
+            v68 = offset5 + angle1_____________
+            q5_ppp = v61 + (m16 if v61 <= -half_turn else 0.0)
+            q5_ppm = (m16 if -v62 <= -half_turn else 0.0) - v62
+            q5_pmp = v63 + (m16 if v63 <= -half_turn else 0.0)
+            q5_pmm = (m16 if -v64 <= -half_turn else 0.0) - v64
+            q5_mpp = v65 + (m16 if v65 <= -half_turn else 0.0)
+            q5_mpm = (m16 if -v66 <= -half_turn else 0.0) - v66
+            q5_mmp = v67 + (m16 if v67 <= -half_turn else 0.0)
+            q5_mmm = (m16 if -v68 <= -half_turn else 0.0) - v68
+            v71 = angle1______________ - offset6
+            v72 = angle1______________ - h3 * math.copysign(half_turn, v69) - offset6
+            v73 = angle1_______________ - offset6
+            v74 = angle1_______________ - h3 * math.copysign(half_turn, v70) - offset6
+            v75 = angle1________________ - offset6
+            v76 = (
+                angle1________________ - h3 * math.copysign(half_turn, -(c4_mp * v41 + -v33 * (v30 *
+                T31 + c2m3_mp * v42))) - offset6
             )
-            v67 = angle1_________________ - offset6
-            v68 = (
-                angle1_________________ - h1 * math.copysign(half_turn, -(c4_mm * v28 + -v20 * (v17
-                * T31 + c2m3_mm * v29))) - offset6
+            v77 = angle1_________________ - offset6
+            v78 = (
+                angle1_________________ - h3 * math.copysign(half_turn, -(c4_mm * v41 + -v33 * (v31
+                * T31 + c2m3_mm * v42))) - offset6
             )
-            q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
-            q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
-            q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
-            q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
-            q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
-            q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
-            q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
-            v69 = q3_ppp < low3 or high3 < q3_ppp
-            v70 = q3_pmp < low3 or high3 < q3_pmp
-            q1_ppp = v3 + (v30 - (m5 if half_turn < v30 else 0.0))
-            q1_mpp = v3 + (v31 - (m5 if half_turn < v31 else 0.0))
-            v71 = v69 or (q2_ppp < low2 or high2 < q2_ppp)
-            v72 = v70 or (q2_pmp < low2 or high2 < q2_pmp)
-            v73 = v69 or (q2_mpp < low2 or high2 < q2_mpp)
-            v74 = v70 or (q2_mmp < low2 or high2 < q2_mmp)
-            outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+            q6_ppp = v71 + (m16 if v71 <= -half_turn else 0.0)
+            q6_ppm = v72 + (m16 if v72 <= -half_turn else 0.0)
+            q6_pmp = v73 + (m16 if v73 <= -half_turn else 0.0)
+            q6_pmm = v74 + (m16 if v74 <= -half_turn else 0.0)
+            q6_mpp = v75 + (m16 if v75 <= -half_turn else 0.0)
+            q6_mpm = v76 + (m16 if v76 <= -half_turn else 0.0)
+            q6_mmp = v77 + (m16 if v77 <= -half_turn else 0.0)
+            q6_mmm = v78 + (m16 if v78 <= -half_turn else 0.0)
+            v79 = q3_ppp < low3 or high3 < q3_ppp
+            v80 = q3_pmp < low3 or high3 < q3_pmp
+            q1_ppp = v3 + (v43 - (m16 if half_turn < v43 else 0.0))
+            q1_mpp = v3 + (v44 - (m16 if half_turn < v44 else 0.0))
+            v81 = v79 or (q2_ppp < low2 or high2 < q2_ppp)
+            v82 = v80 or (q2_pmp < low2 or high2 < q2_pmp)
+            v83 = v79 or (q2_mpp < low2 or high2 < q2_mpp)
+            v84 = v80 or (q2_mmp < low2 or high2 < q2_mmp)
+            outside_ppp = v81 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v81 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v82 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v82 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v83 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v83 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v84 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v84 or (q5_mmm < low5 or high5 < q5_mmm)
             _2240 = q1_ppp
             work[2240 + k] = _2240
             _2272 = q2_ppp
@@ -1297,7 +1316,7 @@ def _in_tiles(T, q, status):
             work[3488 + k] = (
                 UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,309 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KINOVA_J2S6S300_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too.
+ * */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KINOVA_J2S6S300_SCALAR) && !defined(KINOVA_J2S6S300_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef KINOVA_J2S6S300_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KINOVA_J2S6S300_UNREACHABLE) \
+        | (~(none) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KINOVA_J2S6S300_UNREACHABLE \
+        : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.2755; /* joint offset 1 [m] */
 static const double d2 = 0.0016; /* joint offset 2 [m] */
 static const double a2 = 0.41; /* link length 2 [m] */
@@ -49,10 +352,20 @@ static const double low3 = 0.3316125568789226; /* lowest value of joint 3 */
 static const double high3 = 5.951572750300664; /* highest value of joint 3 */
 static const double low5 = 0.5235987745982988; /* lowest value of joint 5 */
 static const double high5 = 5.759586532581287; /* highest value of joint 5 */
-static const double m1 = 2.6285906351645505e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1.2195121951219514; /* a coefficient of S2 */
+static const double m2 = 0.08700963109756096; /* a coefficient of S2 */
+static const double m3 = 2.6285906351645505e-48; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 0.34113263532080945; /* a coefficient of c2m3 */
+static const double m5 = 4.781257013506383; /* a coefficient of c2m3 */
+static const double m6 = 1.2663259726200362; /* a coefficient of c2m3 */
+static const double m7 = 0.11468879199485611; /* a coefficient of c2m3 */
+static const double m8 = 1.607458607940846; /* a coefficient of c2m3 */
+static const double m9 = 0.9251933372992268; /* a coefficient of s2m3 */
+static const double m10 = 2.532651945240073; /* a coefficient of s2m3 */
+static const double m13 = 1e-24; /* free_limit^2 */
+static const double m15 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 0.11468879199485611; /* m11 + m12 */
+static const double h2 = 1.0; /* 2 * m14 */
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -67,12 +380,6 @@ static const double highest[6] = {
     6.283185307179586, 5.462880558742252, 5.951572749300664, 6.283185307179586, 5.759586531581287,
     6.283185307179586,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void kinova_j2s6s300_fk(const double q[6], double T[16])
 {
@@ -248,210 +555,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KINOVA_J2S6S300_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKINOVA_J2S6S300_SCALAR. With -DKINOVA_J2S6S300_LIBM the arctangents are those of <math.h>, too.
- * */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KINOVA_J2S6S300_SCALAR) && !defined(KINOVA_J2S6S300_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef KINOVA_J2S6S300_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KINOVA_J2S6S300_UNREACHABLE) \
-        | (~(none) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KINOVA_J2S6S300_UNREACHABLE \
-        : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -469,67 +572,61 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = k1 * X1;
-    const wide v3 = k1 * wy;
-    const wide v4 = X1 * w1;
-    const wide v5 = v3 - v4;
-    const wide v6 = v3 + v4;
-    const wide c1_p = inverse1 * v5;
-    const wide c1_m = inverse1 * v6;
-    const wide v7 = wy * w1;
-    const wide v8 = v2 + v7;
-    const wide v9 = v2 - v7;
-    const wide s1_p = inverse1 * v8;
-    const wide s1_m = inverse1 * v9;
+    const wide v2 = inverse1 * (k1 * wy);
+    const wide c1_p = v2 - w1 * (X1 * inverse1);
+    const wide c1_m = v2 - w1 * (inverse1 * -X1);
+    const wide v3 = inverse1 * (k1 * X1);
+    const wide s1_p = v3 + w1 * (wy * inverse1);
+    const wide s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v10 = w3 - w3;
-    const wide v11 = k5 * (N3 - k6);
-    const wide v12 = k7 * v11;
-    const wide v13 = k5 * w3;
-    const wide c3 = k7 * v13;
+    const wide v4 = w3 - w3;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * v12;
-    const wide X2_2 = d4 * c3;
-    const wide v14 = Z1_3 * X1_2;
-    const wide v15 = w1 * X2_2;
-    const wide S2_pp = v14 + v15;
-    const wide S2_pm = v14 - v15;
-    const wide v16 = w1 * X1_2;
-    const wide v17 = Z1_3 * X2_2;
-    const wide C2_pp = v16 - v17;
-    const wide C2_pm = v16 + v17;
-    const wide v18 = S2_pp * S2_pp;
-    const wide v19 = v18 + C2_pp * C2_pp;
-    const wide v20 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v21 = v18 + -C2_pp * -C2_pp;
-    const wide factor2_pp = 1.0 / sqrt_wide(v19);
-    const wide factor2_pm = 1.0 / sqrt_wide(v20);
-    const wide factor2_mm = 1.0 / sqrt_wide(v21);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mm = -C2_pp * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mm = S2_pp * factor2_mm;
+    const wide v5 = m2 + m1 * N3;
+    const wide v6 = Z1_3 * v5;
+    const wide v7 = w3 * (m1 * w1);
+    const wide S2_pp = v6 + v7;
+    const wide S2_pm = v6 - v7;
+    const wide v8 = w3 * (m1 * Z1_3);
+    const wide v9 = w1 * v5;
+    const wide C2_pp = v9 - v8;
+    const wide C2_pm = v8 + v9;
+    const wide v10 = S2_pp * S2_pp;
+    const wide v11 = v10 + C2_pp * C2_pp;
+    const wide v12 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v13 = v10 + -C2_pp * -C2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v11);
+    const wide factor2_pm = 1.0 / sqrt_wide(v12);
+    const wide factor2_mm = 1.0 / sqrt_wide(v13);
 
     /* theta4 */
-    const wide c2m3_pp = c3 * c2_pp - v12 * s2_pp;
-    const wide v22 = c3 * c2_pm + v12 * s2_pm;
-    const wide v23 = c3 * c2_mm + v12 * s2_mm;
-    const wide s2m3_pp = v12 * c2_pp + c3 * s2_pp;
-    const wide s2m3_pm = v12 * c2_pm - c3 * s2_pm;
-    const wide s2m3_mm = v12 * c2_mm - c3 * s2_mm;
+    const wide v14 = m5 * N3;
+    const wide v15 = m4 + v14;
+    const wide v16 = m6 - v14;
+    const wide v17 = Z1_3 * (m7 - m8 * N3);
+    const wide v18 = v17 + w3 * (w1 * (v15 + v16));
+    const wide c2m3_pp = factor2_pp * v18;
+    const wide c2m3_pm = factor2_pm * (v17 + w3 * (w1 * (-v16 - v15)));
+    const wide c2m3_mm = factor2_mm * v18;
+    const wide v19 = v14 - m9;
+    const wide v20 = m10 - v14;
+    const wide v21 = m8 * (Z1_3 * w3);
+    const wide v22 = w1 * (N3 * (v19 + v20) - h1);
+    const wide s2m3_pp = factor2_pp * (v21 + v22);
+    const wide s2m3_pm = factor2_pm * (v22 - v21);
+    const wide v23 = w1 * (h1 + N3 * (-v19 + -v20));
+    const wide s2m3_mp = factor2_pm * (v21 + v23);
+    const wide s2m3_mm = factor2_mm * (v23 - v21);
     const wide v24 = T13 * c1_p - T23 * s1_p;
     const wide v25 = T13 * c1_m - T23 * s1_m;
     const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24;
-    const wide X4_pm = T33 * s2m3_pm + v22 * v24;
-    const wide X4_mp = T33 * -s2m3_pm + v22 * v25;
-    const wide X4_mm = T33 * s2m3_mm + v23 * v25;
+    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
+    const wide X4_mp = T33 * s2m3_mp - c2m3_pm * v25;
+    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
     const wide v26 = T23 * c1_p + T13 * s1_p;
     const wide v27 = T23 * c1_m + T13 * s1_m;
     const wide v28 = v26 * v26;
@@ -542,8 +639,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1_ = atan2_wide(-v26, -X4_pm);
     const wide angle1__ = atan2_wide(-v27, -X4_mp);
     const wide angle1___ = atan2_wide(-v27, -X4_mm);
-    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h1;
-    const wide v35 = copysign_wide(all_wide(half_turn), -v27) * h1;
+    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h2;
+    const wide v35 = copysign_wide(all_wide(half_turn), -v27) * h2;
     const wide q4_ppm = angle1 - v34;
     const wide q4_pmm = angle1_ - v34;
     const wide q4_mpm = angle1__ - v35;
@@ -551,10 +648,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta5 */
     const wide angle1____ = atan2_wide(-sqrt_wide(v30), -(T33 * c2m3_pp + s2m3_pp * v24));
-    const wide v36 = T33 * v22;
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v31), v36 - s2m3_pm * v24);
-    const wide angle1______ = atan2_wide(-sqrt_wide(v32), v36 - -s2m3_pm * v25);
-    const wide angle1_______ = atan2_wide(-sqrt_wide(v33), T33 * v23 - s2m3_mm * v25);
+    const wide v36 = T33 * c2m3_pm;
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v31), -(v36 + s2m3_pm * v24));
+    const wide angle1______ = atan2_wide(-sqrt_wide(v32), -(v36 + s2m3_mp * v25));
+    const wide angle1_______ = atan2_wide(-sqrt_wide(v33), -(T33 * c2m3_mm + s2m3_mm * v25));
 
     /* theta6 */
     const wide v37 = c1_p * T22 + s1_p * T12;
@@ -566,14 +663,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = c1_p * T11 - s1_p * T21;
     const wide v44 = c1_m * T11 - s1_m * T21;
     const wide s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31);
-    const wide s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41;
-    const wide s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42;
-    const wide s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42;
+    const wide s6_pm = -X4_pm * v41 - v26 * (c2m3_pm * v43 - s2m3_pm * T31);
+    const wide s6_mp = -X4_mp * v42 - v27 * (c2m3_pm * v44 - s2m3_mp * T31);
+    const wide s6_mm = -X4_mm * v42 - v27 * (c2m3_mm * v44 - s2m3_mm * T31);
 
     /* joint values */
-    const wide angle1________ = atan2_wide(v8, v5);
+    const wide angle1________ = atan2_wide(s1_p, c1_p);
     const wide v45 = angle1________ - offset1;
-    const wide angle1_________ = atan2_wide(v9, v6);
+    const wide angle1_________ = atan2_wide(s1_m, c1_m);
     const wide v46 = angle1_________ - offset1;
     const wide angle1__________ = atan2_wide(S2_pp, C2_pp);
     const wide v47 = angle1__________ - offset2;
@@ -583,43 +680,44 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v49 = angle1____________ - offset2;
     const wide angle1_____________ = atan2_wide(S2_pp, -C2_pp);
     const wide v50 = angle1_____________ - offset2;
-    const wide q2__pp = v47 + pick_wide(v47 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2__pm = v48 + pick_wide(v48 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2__mp = v49 + pick_wide(v49 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2__mm = v50 + pick_wide(v50 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(-v11, v13);
+    const wide q2__pp = v47 + pick_wide(v47 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2__pm = v48 + pick_wide(v48 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2__mp = v49 + pick_wide(v49 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q2__mm = v50 + pick_wide(v50 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(-(k5 * (N3 - k6)), k5 * w3);
     const wide v51 = angle1______________ - offset3;
-    const wide v52 = h1 * copysign_wide(all_wide(half_turn), -v11) - angle1______________ - offset3;
-    const wide q3__p = v51 + pick_wide(v51 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q3__m = v52 + pick_wide(v52 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v52 = h2 * copysign_wide(all_wide(half_turn), -(k5 * (N3 - k6))) -
+        angle1______________ - offset3;
+    const wide q3__p = v51 + pick_wide(v51 <= -half_turn, all_wide(m15), all_wide(0.0));
+    const wide q3__m = v52 + pick_wide(v52 <= -half_turn, all_wide(m15), all_wide(0.0));
     const wide angle1_______________ = atan2_wide(s6_pp, v26 * (c2m3_pp * v39 - s2m3_pp * T32) -
         -X4_pp * v37);
-    const wide angle1________________ = atan2_wide(s6_pm, X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm *
-        T32));
-    const wide angle1_________________ = atan2_wide(s6_mp, X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm
-        * T32));
-    const wide angle1__________________ = atan2_wide(s6_mm, X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm
-        * T32));
+    const wide angle1________________ = atan2_wide(s6_pm, v26 * (c2m3_pm * v39 - s2m3_pm * T32) -
+        -X4_pm * v37);
+    const wide angle1_________________ = atan2_wide(s6_mp, v27 * (c2m3_pm * v40 - s2m3_mp * T32) -
+        -X4_mp * v38);
+    const wide angle1__________________ = atan2_wide(s6_mm, v27 * (c2m3_mm * v40 - s2m3_mm * T32) -
+        -X4_mm * v38);
     const wide v53 = angle1_______________ - offset6;
-    const wide v54 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
+    const wide v54 = angle1_______________ - h2 * copysign_wide(all_wide(half_turn), s6_pp) -
         offset6;
     const wide v55 = angle1________________ - offset6;
-    const wide v56 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
+    const wide v56 = angle1________________ - h2 * copysign_wide(all_wide(half_turn), s6_pm) -
         offset6;
     const wide v57 = angle1_________________ - offset6;
-    const wide v58 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
+    const wide v58 = angle1_________________ - h2 * copysign_wide(all_wide(half_turn), s6_mp) -
         offset6;
     const wide v59 = angle1__________________ - offset6;
-    const wide v60 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
+    const wide v60 = angle1__________________ - h2 * copysign_wide(all_wide(half_turn), s6_mm) -
         offset6;
-    const wide q6_ppp = v53 - pick_wide(half_turn < v53, all_wide(m4), all_wide(0.0));
-    const wide q6_ppm = v54 - pick_wide(half_turn < v54, all_wide(m4), all_wide(0.0));
-    const wide q6_pmp = v55 - pick_wide(half_turn < v55, all_wide(m4), all_wide(0.0));
-    const wide q6_pmm = v56 - pick_wide(half_turn < v56, all_wide(m4), all_wide(0.0));
-    const wide q6_mpp = v57 - pick_wide(half_turn < v57, all_wide(m4), all_wide(0.0));
-    const wide q6_mpm = v58 - pick_wide(half_turn < v58, all_wide(m4), all_wide(0.0));
-    const wide q6_mmp = v59 - pick_wide(half_turn < v59, all_wide(m4), all_wide(0.0));
-    const wide q6_mmm = v60 - pick_wide(half_turn < v60, all_wide(m4), all_wide(0.0));
+    const wide q6_ppp = v53 - pick_wide(half_turn < v53, all_wide(m15), all_wide(0.0));
+    const wide q6_ppm = v54 - pick_wide(half_turn < v54, all_wide(m15), all_wide(0.0));
+    const wide q6_pmp = v55 - pick_wide(half_turn < v55, all_wide(m15), all_wide(0.0));
+    const wide q6_pmm = v56 - pick_wide(half_turn < v56, all_wide(m15), all_wide(0.0));
+    const wide q6_mpp = v57 - pick_wide(half_turn < v57, all_wide(m15), all_wide(0.0));
+    const wide q6_mpm = v58 - pick_wide(half_turn < v58, all_wide(m15), all_wide(0.0));
+    const wide q6_mmp = v59 - pick_wide(half_turn < v59, all_wide(m15), all_wide(0.0));
+    const wide q6_mmm = v60 - pick_wide(half_turn < v60, all_wide(m15), all_wide(0.0));
     const wide v61 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
     const wide v62 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
     const wide v63 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
@@ -667,8 +765,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q5_mpm = pick_wide(v86, -angle1______, v78);
     const wide q5_mmp = pick_wide(v87, angle1_______, v79);
     const wide q5_mmm = pick_wide(v88, -angle1_______, v80);
-    const wide q1_ppp = v10 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m4), all_wide(0.0)));
-    const wide q1_mpp = v10 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q1_ppp = v4 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m15), all_wide(0.0)));
+    const wide q1_mpp = v4 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m15), all_wide(0.0)));
     const wide q3_ppp = v1 + pick_wide(v71, q3__p, v69);
     const wide q3_pmp = v1 + pick_wide(v72, q3__m, v70);
     const wide_mask v89 = v65 | v71;
@@ -683,11 +781,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v86 | v91;
     const wide_mask outside_mmp = v87 | v92;
     const wide_mask outside_mmm = v88 | v92;
-    const wide_mask v93 = v20 <= m1;
-    const wide_mask doubt = ((v21 <= m1) | (v33 <= m2)) | ((v93 | (v32 <= m2)) | ((v93 | (v31 <=
-        m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) &
-        (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))))) |
-        ((v19 <= m1) | (v30 <= m2)))));
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v33 <= m13) |
+        ((v13 <= m3) | ((v32 <= m13) | ((v31 <= m13) | ((v12 <= m3) | ((v30 <= m13) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (v11 <= m3)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -746,74 +843,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m11 = 0.09034969569608213; /* a coefficient of s2m3 */
+static const double m12 = 0.024339096298773986; /* a coefficient of s2m3 */
+static const double m14 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -833,153 +869,113 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = k1 * X1;
-    const double v3 = k1 * wy;
-    const double v4 = X1 * w1;
-    const four v5 = v3 - e1 * v4;
-    const four c1 = inverse1 * v5;
-    const double v6 = wy * w1;
-    const four v7 = v2 + e1 * v6;
-    const four s1 = inverse1 * v7;
+    const double v2 = inverse1 * (k1 * wy);
+    const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
+    const double v3 = inverse1 * (k1 * X1);
+    const four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v8 = w3 - w3;
-    const double v9 = k5 * (N3 - k6);
-    const double v10 = k7 * v9;
-    const double v11 = k5 * w3;
-    const double c3 = k7 * v11;
+    const double v4 = w3 - w3;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * v10;
-    const double X2_2 = d4 * c3;
-    const double v12 = Z1_3 * X1_2;
-    const double v13 = w1 * X2_2;
-    const four S2 = v12 + v13 * (e1 * e2);
-    const double v14 = w1 * X1_2;
-    const double v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14;
-    const four v17 = e2 * v15;
-    const four C2 = v16 - v17;
-    const four v18 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v18);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v5 = e1 * e2;
+    const double v6 = m2 + m1 * N3;
+    const double v7 = Z1_3 * v6;
+    const four S2 = v7 + w3 * (m1 * (w1 * v5));
+    const four v8 = e2 * Z1_3;
+    const four v9 = w3 * (m1 * v8);
+    const four v10 = w1 * (e1 * v6);
+    const four C2 = v10 - v9;
+    const four v11 = S2 * S2 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
 
     /* theta4 */
-    const four c2m3 = e2 * (c3 * c2) - v10 * s2;
-    const four s2m3 = v10 * c2 + e2 * (c3 * s2);
-    const four v19 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v19;
-    const four v20 = T23 * c1 + T13 * s1;
-    const four v21 = v20 * v20;
-    const four v22 = v21 + X4 * X4;
-    const four v23 = copysign_four(all_four(half_turn), -v20) * h1;
+    const double v12 = m5 * N3;
+    const double v13 = m4 + v12;
+    const four v14 = e1 * v13;
+    const double v15 = m6 - v12;
+    const double v16 = Z1_3 * (m7 - m8 * N3);
+    const four c2m3 = factor2 * (v16 + w3 * (w1 * (e2 * v14 + v5 * v15)));
+    const double v17 = v12 - m9;
+    const four v18 = e1 * v17;
+    const double v19 = m10 - v12;
+    const four v20 = e2 * v19;
+    const four v21 = m11 * e1;
+    const four v22 = m12 * e2;
+    const four v23 = m8 * (w3 * v8);
+    const four s2m3 = factor2 * (v23 + w1 * (N3 * (v18 + v5 * v20) - (v21 + v5 * v22)));
+    const four v24 = T13 * c1 - T23 * s1;
+    const four X4 = T33 * s2m3 - c2m3 * v24;
+    const four v25 = T23 * c1 + T13 * s1;
+    const four v26 = v25 * v25;
+    const four v27 = v26 + X4 * X4;
+    const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
 
     /* theta6 */
-    const four v24 = c1 * T22 + s1 * T12;
-    const four v25 = c1 * T12 - s1 * T22;
-    const four v26 = c1 * T21 + s1 * T11;
-    const four v27 = c1 * T11 - s1 * T21;
-    const four s6 = -X4 * v26 - v20 * (c2m3 * v27 - s2m3 * T31);
+    const four v29 = c1 * T22 + s1 * T12;
+    const four v30 = c1 * T12 - s1 * T22;
+    const four v31 = c1 * T21 + s1 * T11;
+    const four v32 = c1 * T11 - s1 * T21;
+    const four s6 = -X4 * v31 - v25 * (c2m3 * v32 - s2m3 * T31);
 
     /* joint values */
-    const double v30 = copysign(half_turn, -v9);
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v18 <= m1) | (v22 <= m2));
+    const double v35 = copysign(half_turn, -(k5 * (N3 - k6)));
+    const four_mask doubt2 = (v11 <= m3) | (v27 <= m13);
+    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
+        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1 = atan2_four(-v20, -X4);
-    const four angle1_ = atan2_four(-sqrt_four(v22), -(T33 * c2m3 + s2m3 * v19));
+    const four angle1 = atan2_four(-v25, -X4);
+    const four angle1_ = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
     const four angle1___ = atan2_four(S2, C2);
-    const four angle1_____ = atan2_four(s6, v20 * (c2m3 * v25 - s2m3 * T32) - -X4 * v24);
-    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(-v9), 0, 5, 2, 3),
-        __builtin_shufflevector(v5, all_four(v11), 0, 5, 2, 3));
+    const four angle1_____ = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29);
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-(k5 * (N3 - k6))), 0, 5,
+        2, 3), __builtin_shufflevector(c1, all_four(k5 * w3), 0, 5, 2, 3));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1 - v23;
-    const four v28 = angle1__ - offset1;
-    const four v29 = angle1___ - offset2;
-    const four q2_ = v29 + pick_four(v29 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v31 = e2 * angle1____ + v30 * (m3 * (1.0 - e2)) - offset3;
-    const four q3_ = v31 + pick_four(v31 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v32 = angle1_____ - offset6;
-    const four v33 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v32 - pick_four(half_turn < v32, all_four(m4), all_four(0.0));
-    const four q6_m = v33 - pick_four(half_turn < v33, all_four(m4), all_four(0.0));
-    const four v34 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
-    const four_mask v35 = (v34 < low2) | (high2 < v34);
-    const four q2_p = pick_four(v35, q2_, v34);
-    const four v36 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
-    const four_mask v37 = (v36 < low3) | (high3 < v36);
-    const four v38 = angle1_ + pick_four(angle1_ < low5, all_four(whole_turn), all_four(0.0));
-    const four v39 = pick_four(-angle1_ < low5, all_four(whole_turn), all_four(0.0)) - angle1_;
-    const four_mask v40 = (v38 < low5) | (high5 < v38);
-    const four_mask v41 = (v39 < low5) | (high5 < v39);
-    const four q5_p = pick_four(v40, angle1_, v38);
-    const four q5_m = pick_four(v41, -angle1_, v39);
-    const four q1_p = v8 + (v28 + pick_four(v28 <= -half_turn, all_four(m4), all_four(0.0)));
-    const four q3_p = v1 + pick_four(v37, q3_, v36);
-    const four_mask v42 = v35 | v37;
-    const four_mask outside_p = v40 | v42;
-    const four_mask outside_m = v41 | v42;
+    const four q4_m = angle1 - v28;
+    const four v33 = angle1__ - offset1;
+    const four v34 = angle1___ - offset2;
+    const four q2_ = v34 + pick_four(v34 <= -half_turn, all_four(m15), all_four(0.0));
+    const four v36 = e2 * angle1____ + v35 * (m14 * (1.0 - e2)) - offset3;
+    const four q3_ = v36 + pick_four(v36 <= -half_turn, all_four(m15), all_four(0.0));
+    const four v37 = angle1_____ - offset6;
+    const four v38 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v37 - pick_four(half_turn < v37, all_four(m15), all_four(0.0));
+    const four q6_m = v38 - pick_four(half_turn < v38, all_four(m15), all_four(0.0));
+    const four v39 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
+    const four_mask v40 = (v39 < low2) | (high2 < v39);
+    const four q2_p = pick_four(v40, q2_, v39);
+    const four v41 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
+    const four_mask v42 = (v41 < low3) | (high3 < v41);
+    const four v43 = angle1_ + pick_four(angle1_ < low5, all_four(whole_turn), all_four(0.0));
+    const four v44 = pick_four(-angle1_ < low5, all_four(whole_turn), all_four(0.0)) - angle1_;
+    const four_mask v45 = (v43 < low5) | (high5 < v43);
+    const four_mask v46 = (v44 < low5) | (high5 < v44);
+    const four q5_p = pick_four(v45, angle1_, v43);
+    const four q5_m = pick_four(v46, -angle1_, v44);
+    const four q1_p = v4 + (v33 + pick_four(v33 <= -half_turn, all_four(m15), all_four(0.0)));
+    const four q3_p = v1 + pick_four(v42, q3_, v41);
+    const four_mask v47 = v40 | v42;
+    const four_mask outside_p = v45 | v47;
+    const four_mask outside_m = v46 | v47;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * KINOVA_J2S6S300_UNREACHABLE + (outside1 & ~none1) *
+        KINOVA_J2S6S300_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -89,10 +89,20 @@ low3 = 0.3316125568789226  # lowest value of joint 3
 high3 = 5.951572750300664  # highest value of joint 3
 low5 = 0.5235987745982988  # lowest value of joint 5
 high5 = 5.759586532581287  # highest value of joint 5
-m1 = 2.6285906351645505e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 1.2195121951219514  # a coefficient of S2
+m2 = 0.08700963109756096  # a coefficient of S2
+m3 = 2.6285906351645505e-48  # free_limit_squared2^2 [m^4]
+m4 = 0.34113263532080945  # a coefficient of c2m3
+m5 = 4.781257013506383  # a coefficient of c2m3
+m6 = 1.2663259726200362  # a coefficient of c2m3
+m7 = 0.11468879199485611  # a coefficient of c2m3
+m8 = 1.607458607940846  # a coefficient of c2m3
+m9 = 0.9251933372992268  # a coefficient of s2m3
+m10 = 2.532651945240073  # a coefficient of s2m3
+m13 = 1e-24  # free_limit^2
+m15 = 6.283185307179586  # 2 * half_turn
+h1 = 0.11468879199485611  # m11 + m12
+h2 = 1.0  # 2 * m14
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -535,67 +545,61 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = k1 * X1
-    v3 = k1 * wy
-    v4 = X1 * w1
-    v5 = v3 - v4
-    v6 = v3 + v4
-    c1_p = inverse1 * v5
-    c1_m = inverse1 * v6
-    v7 = wy * w1
-    v8 = v2 + v7
-    v9 = v2 - v7
-    s1_p = inverse1 * v8
-    s1_m = inverse1 * v9
+    v2 = inverse1 * (k1 * wy)
+    c1_p = v2 - w1 * (X1 * inverse1)
+    c1_m = v2 - w1 * (inverse1 * -X1)
+    v3 = inverse1 * (k1 * X1)
+    s1_p = v3 + w1 * (wy * inverse1)
+    s1_m = v3 + w1 * (inverse1 * -wy)
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
     N3 = D1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v10 = w3 - w3
-    v11 = k5 * (N3 - k6)
-    v12 = k7 * v11
-    v13 = k5 * w3
-    c3 = k7 * v13
+    v4 = w3 - w3
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = a2 + d4 * v12
-    X2_2 = d4 * c3
-    v14 = Z1_3 * X1_2
-    v15 = w1 * X2_2
-    S2_pp = v14 + v15
-    S2_pm = v14 - v15
-    v16 = w1 * X1_2
-    v17 = Z1_3 * X2_2
-    C2_pp = v16 - v17
-    C2_pm = v16 + v17
-    v18 = S2_pp * S2_pp
-    v19 = v18 + C2_pp * C2_pp
-    v20 = S2_pm * S2_pm + C2_pm * C2_pm
-    v21 = v18 + -C2_pp * -C2_pp
-    factor2_pp = 1.0 / math.sqrt(v19)
-    factor2_pm = 1.0 / math.sqrt(v20)
-    factor2_mm = 1.0 / math.sqrt(v21)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mm = -C2_pp * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mm = S2_pp * factor2_mm
+    v5 = m2 + m1 * N3
+    v6 = Z1_3 * v5
+    v7 = w3 * (m1 * w1)
+    S2_pp = v6 + v7
+    S2_pm = v6 - v7
+    v8 = w3 * (m1 * Z1_3)
+    v9 = w1 * v5
+    C2_pp = v9 - v8
+    C2_pm = v8 + v9
+    v10 = S2_pp * S2_pp
+    v11 = v10 + C2_pp * C2_pp
+    v12 = S2_pm * S2_pm + C2_pm * C2_pm
+    v13 = v10 + -C2_pp * -C2_pp
+    factor2_pp = 1.0 / math.sqrt(v11)
+    factor2_pm = 1.0 / math.sqrt(v12)
+    factor2_mm = 1.0 / math.sqrt(v13)
 
     # theta4, type 2: U4[3, 3]
-    c2m3_pp = c3 * c2_pp - v12 * s2_pp
-    v22 = c3 * c2_pm + v12 * s2_pm
-    v23 = c3 * c2_mm + v12 * s2_mm
-    s2m3_pp = v12 * c2_pp + c3 * s2_pp
-    s2m3_pm = v12 * c2_pm - c3 * s2_pm
-    s2m3_mm = v12 * c2_mm - c3 * s2_mm
+    v14 = m5 * N3
+    v15 = m4 + v14
+    v16 = m6 - v14
+    v17 = Z1_3 * (m7 - m8 * N3)
+    v18 = v17 + w3 * (w1 * (v15 + v16))
+    c2m3_pp = factor2_pp * v18
+    c2m3_pm = factor2_pm * (v17 + w3 * (w1 * (-v16 - v15)))
+    c2m3_mm = factor2_mm * v18
+    v19 = v14 - m9
+    v20 = m10 - v14
+    v21 = m8 * (Z1_3 * w3)
+    v22 = w1 * (N3 * (v19 + v20) - h1)
+    s2m3_pp = factor2_pp * (v21 + v22)
+    s2m3_pm = factor2_pm * (v22 - v21)
+    v23 = w1 * (h1 + N3 * (-v19 + -v20))
+    s2m3_mp = factor2_pm * (v21 + v23)
+    s2m3_mm = factor2_mm * (v23 - v21)
     v24 = T13 * c1_p - T23 * s1_p
     v25 = T13 * c1_m - T23 * s1_m
     X4_pp = T33 * s2m3_pp - c2m3_pp * v24
-    X4_pm = T33 * s2m3_pm + v22 * v24
-    X4_mp = T33 * -s2m3_pm + v22 * v25
-    X4_mm = T33 * s2m3_mm + v23 * v25
+    X4_pm = T33 * s2m3_pm - c2m3_pm * v24
+    X4_mp = T33 * s2m3_mp - c2m3_pm * v25
+    X4_mm = T33 * s2m3_mm - c2m3_mm * v25
     v26 = T23 * c1_p + T13 * s1_p
     v27 = T23 * c1_m + T13 * s1_m
     v28 = v26 * v26
@@ -608,8 +612,8 @@ def _regular(pose, q, status):
     angle1_ = _atan2(-v26, -X4_pm)
     angle1__ = _atan2(-v27, -X4_mp)
     angle1___ = _atan2(-v27, -X4_mm)
-    v34 = math.copysign(half_turn, -v26) * h1
-    v35 = math.copysign(half_turn, -v27) * h1
+    v34 = math.copysign(half_turn, -v26) * h2
+    v35 = math.copysign(half_turn, -v27) * h2
     q4_ppm = angle1 - v34
     q4_pmm = angle1_ - v34
     q4_mpm = angle1__ - v35
@@ -617,10 +621,10 @@ def _regular(pose, q, status):
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
     angle1____ = _atan2(-math.sqrt(v30), -(T33 * c2m3_pp + s2m3_pp * v24))
-    v36 = T33 * v22
-    angle1_____ = _atan2(-math.sqrt(v31), v36 - s2m3_pm * v24)
-    angle1______ = _atan2(-math.sqrt(v32), v36 - -s2m3_pm * v25)
-    angle1_______ = _atan2(-math.sqrt(v33), T33 * v23 - s2m3_mm * v25)
+    v36 = T33 * c2m3_pm
+    angle1_____ = _atan2(-math.sqrt(v31), -(v36 + s2m3_pm * v24))
+    angle1______ = _atan2(-math.sqrt(v32), -(v36 + s2m3_mp * v25))
+    angle1_______ = _atan2(-math.sqrt(v33), -(T33 * c2m3_mm + s2m3_mm * v25))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v37 = c1_p * T22 + s1_p * T12
@@ -632,14 +636,14 @@ def _regular(pose, q, status):
     v43 = c1_p * T11 - s1_p * T21
     v44 = c1_m * T11 - s1_m * T21
     s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31)
-    s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41
-    s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42
-    s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42
+    s6_pm = -X4_pm * v41 - v26 * (c2m3_pm * v43 - s2m3_pm * T31)
+    s6_mp = -X4_mp * v42 - v27 * (c2m3_pm * v44 - s2m3_mp * T31)
+    s6_mm = -X4_mm * v42 - v27 * (c2m3_mm * v44 - s2m3_mm * T31)
 
     # joint values
-    angle1________ = _atan2(v8, v5)
+    angle1________ = _atan2(s1_p, c1_p)
     v45 = angle1________ - offset1
-    angle1_________ = _atan2(v9, v6)
+    angle1_________ = _atan2(s1_m, c1_m)
     v46 = angle1_________ - offset1
     angle1__________ = _atan2(S2_pp, C2_pp)
     v47 = angle1__________ - offset2
@@ -649,35 +653,35 @@ def _regular(pose, q, status):
     v49 = angle1____________ - offset2
     angle1_____________ = _atan2(S2_pp, -C2_pp)
     v50 = angle1_____________ - offset2
-    q2__pp = v47 + (m4 if v47 <= -half_turn else 0.0)
-    q2__pm = v48 + (m4 if v48 <= -half_turn else 0.0)
-    q2__mp = v49 + (m4 if v49 <= -half_turn else 0.0)
-    q2__mm = v50 + (m4 if v50 <= -half_turn else 0.0)
-    angle1______________ = _atan2(-v11, v13)
+    q2__pp = v47 + (m15 if v47 <= -half_turn else 0.0)
+    q2__pm = v48 + (m15 if v48 <= -half_turn else 0.0)
+    q2__mp = v49 + (m15 if v49 <= -half_turn else 0.0)
+    q2__mm = v50 + (m15 if v50 <= -half_turn else 0.0)
+    angle1______________ = _atan2(-(k5 * (N3 - k6)), k5 * w3)
     v51 = angle1______________ - offset3
-    v52 = h1 * math.copysign(half_turn, -v11) - angle1______________ - offset3
-    q3__p = v51 + (m4 if v51 <= -half_turn else 0.0)
-    q3__m = v52 + (m4 if v52 <= -half_turn else 0.0)
+    v52 = h2 * math.copysign(half_turn, -(k5 * (N3 - k6))) - angle1______________ - offset3
+    q3__p = v51 + (m15 if v51 <= -half_turn else 0.0)
+    q3__m = v52 + (m15 if v52 <= -half_turn else 0.0)
     angle1_______________ = _atan2(s6_pp, v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37)
-    angle1________________ = _atan2(s6_pm, X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32))
-    angle1_________________ = _atan2(s6_mp, X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32))
-    angle1__________________ = _atan2(s6_mm, X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32))
+    angle1________________ = _atan2(s6_pm, v26 * (c2m3_pm * v39 - s2m3_pm * T32) - -X4_pm * v37)
+    angle1_________________ = _atan2(s6_mp, v27 * (c2m3_pm * v40 - s2m3_mp * T32) - -X4_mp * v38)
+    angle1__________________ = _atan2(s6_mm, v27 * (c2m3_mm * v40 - s2m3_mm * T32) - -X4_mm * v38)
     v53 = angle1_______________ - offset6
-    v54 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v54 = angle1_______________ - h2 * math.copysign(half_turn, s6_pp) - offset6
     v55 = angle1________________ - offset6
-    v56 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v56 = angle1________________ - h2 * math.copysign(half_turn, s6_pm) - offset6
     v57 = angle1_________________ - offset6
-    v58 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v58 = angle1_________________ - h2 * math.copysign(half_turn, s6_mp) - offset6
     v59 = angle1__________________ - offset6
-    v60 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v53 - (m4 if half_turn < v53 else 0.0)
-    q6_ppm = v54 - (m4 if half_turn < v54 else 0.0)
-    q6_pmp = v55 - (m4 if half_turn < v55 else 0.0)
-    q6_pmm = v56 - (m4 if half_turn < v56 else 0.0)
-    q6_mpp = v57 - (m4 if half_turn < v57 else 0.0)
-    q6_mpm = v58 - (m4 if half_turn < v58 else 0.0)
-    q6_mmp = v59 - (m4 if half_turn < v59 else 0.0)
-    q6_mmm = v60 - (m4 if half_turn < v60 else 0.0)
+    v60 = angle1__________________ - h2 * math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v53 - (m15 if half_turn < v53 else 0.0)
+    q6_ppm = v54 - (m15 if half_turn < v54 else 0.0)
+    q6_pmp = v55 - (m15 if half_turn < v55 else 0.0)
+    q6_pmm = v56 - (m15 if half_turn < v56 else 0.0)
+    q6_mpp = v57 - (m15 if half_turn < v57 else 0.0)
+    q6_mpm = v58 - (m15 if half_turn < v58 else 0.0)
+    q6_mmp = v59 - (m15 if half_turn < v59 else 0.0)
+    q6_mmm = v60 - (m15 if half_turn < v60 else 0.0)
     v61 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
     v62 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
     v63 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
@@ -718,8 +722,8 @@ def _regular(pose, q, status):
     q5_mpm = -angle1______ if v86 else v78
     q5_mmp = angle1_______ if v87 else v79
     q5_mmm = -angle1_______ if v88 else v80
-    q1_ppp = v10 + (v45 + (m4 if v45 <= -half_turn else 0.0))
-    q1_mpp = v10 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+    q1_ppp = v4 + (v45 + (m15 if v45 <= -half_turn else 0.0))
+    q1_mpp = v4 + (v46 + (m15 if v46 <= -half_turn else 0.0))
     q3_ppp = v1 + (q3__p if v71 else v69)
     q3_pmp = v1 + (q3__m if v72 else v70)
     v89 = v65 or v71
@@ -734,14 +738,13 @@ def _regular(pose, q, status):
     outside_mpm = v86 or v91
     outside_mmp = v87 or v92
     outside_mmm = v88 or v92
-    v93 = v20 <= m1
-    doubt = (
-        v21 <= m1 or v33 <= m2 or (v93 or v32 <= m2 or (v93 or v31 <= m2 or (shortest3_reach <= N3
-        and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free1 or
-        -k3 <= D1 and (free1 or not (k4 < D1))) or (v19 <= m1 or v30 <= m2))))
+    doubt1 = (
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v33 <= m13 or (v13 <= m3 or (v32 <= m13
+        or (v31 <= m13 or (v12 <= m3 or (v30 <= m13 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v11 <= m3))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -991,61 +994,55 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = k1 * X1
-            v3 = k1 * wy
-            v4 = X1 * w1
-            v5 = v3 - v4
-            v6 = v3 + v4
-            c1_p = inverse1 * v5
-            c1_m = inverse1 * v6
-            v7 = wy * w1
-            v8 = v2 + v7
-            v9 = v2 - v7
-            s1_p = inverse1 * v8
-            s1_m = inverse1 * v9
+            v2 = inverse1 * (k1 * wy)
+            c1_p = v2 - w1 * (X1 * inverse1)
+            c1_m = v2 - w1 * (inverse1 * -X1)
+            v3 = inverse1 * (k1 * X1)
+            s1_p = v3 + w1 * (wy * inverse1)
+            s1_m = v3 + w1 * (inverse1 * -wy)
             Z1_3 = d1 + (d6 * T33 - T34)
             N3 = D1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v10 = w3 - w3
-            v11 = k5 * (N3 - k6)
-            v12 = k7 * v11
-            v13 = k5 * w3
-            c3 = k7 * v13
-            X1_2 = a2 + d4 * v12
-            X2_2 = d4 * c3
-            v14 = Z1_3 * X1_2
-            v15 = w1 * X2_2
-            S2_pp = v14 + v15
-            S2_pm = v14 - v15
-            v16 = w1 * X1_2
-            v17 = Z1_3 * X2_2
-            C2_pp = v16 - v17
-            C2_pm = v16 + v17
-            v18 = S2_pp * S2_pp
-            v19 = v18 + C2_pp * C2_pp
-            v20 = S2_pm * S2_pm + C2_pm * C2_pm
-            v21 = v18 + -C2_pp * -C2_pp
-            factor2_pp = 1.0 / math.sqrt(v19)
-            factor2_pm = 1.0 / math.sqrt(v20)
-            factor2_mm = 1.0 / math.sqrt(v21)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mm = -C2_pp * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mm = S2_pp * factor2_mm
-            c2m3_pp = c3 * c2_pp - v12 * s2_pp
-            v22 = c3 * c2_pm + v12 * s2_pm
-            v23 = c3 * c2_mm + v12 * s2_mm
-            s2m3_pp = v12 * c2_pp + c3 * s2_pp
-            s2m3_pm = v12 * c2_pm - c3 * s2_pm
-            s2m3_mm = v12 * c2_mm - c3 * s2_mm
+            v4 = w3 - w3
+            v5 = m2 + m1 * N3
+            v6 = Z1_3 * v5
+            v7 = w3 * (m1 * w1)
+            S2_pp = v6 + v7
+            S2_pm = v6 - v7
+            v8 = w3 * (m1 * Z1_3)
+            v9 = w1 * v5
+            C2_pp = v9 - v8
+            C2_pm = v8 + v9
+            v10 = S2_pp * S2_pp
+            v11 = v10 + C2_pp * C2_pp
+            v12 = S2_pm * S2_pm + C2_pm * C2_pm
+            v13 = v10 + -C2_pp * -C2_pp
+            factor2_pp = 1.0 / math.sqrt(v11)
+            factor2_pm = 1.0 / math.sqrt(v12)
+            factor2_mm = 1.0 / math.sqrt(v13)
+            v14 = m5 * N3
+            v15 = m4 + v14
+            v16 = m6 - v14
+            v17 = Z1_3 * (m7 - m8 * N3)
+            v18 = v17 + w3 * (w1 * (v15 + v16))
+            c2m3_pp = factor2_pp * v18
+            c2m3_pm = factor2_pm * (v17 + w3 * (w1 * (-v16 - v15)))
+            c2m3_mm = factor2_mm * v18
+            v19 = v14 - m9
+            v20 = m10 - v14
+            v21 = m8 * (Z1_3 * w3)
+            v22 = w1 * (N3 * (v19 + v20) - h1)
+            s2m3_pp = factor2_pp * (v21 + v22)
+            s2m3_pm = factor2_pm * (v22 - v21)
+            v23 = w1 * (h1 + N3 * (-v19 + -v20))
+            s2m3_mp = factor2_pm * (v21 + v23)
+            s2m3_mm = factor2_mm * (v23 - v21)
             v24 = T13 * c1_p - T23 * s1_p
             v25 = T13 * c1_m - T23 * s1_m
             X4_pp = T33 * s2m3_pp - c2m3_pp * v24
-            X4_pm = T33 * s2m3_pm + v22 * v24
-            X4_mp = T33 * -s2m3_pm + v22 * v25
-            X4_mm = T33 * s2m3_mm + v23 * v25
+            X4_pm = T33 * s2m3_pm - c2m3_pm * v24
+            X4_mp = T33 * s2m3_mp - c2m3_pm * v25
+            X4_mm = T33 * s2m3_mm - c2m3_mm * v25
             v26 = T23 * c1_p + T13 * s1_p
             v27 = T23 * c1_m + T13 * s1_m
             v28 = v26 * v26
@@ -1054,9 +1051,9 @@ def _in_tiles(T, q, status):
             v31 = v28 + X4_pm * X4_pm
             v32 = v29 + X4_mp * X4_mp
             v33 = v29 + X4_mm * X4_mm
-            v34 = math.copysign(half_turn, -v26) * h1
-            v35 = math.copysign(half_turn, -v27) * h1
-            v36 = T33 * v22
+            v34 = math.copysign(half_turn, -v26) * h2
+            v35 = math.copysign(half_turn, -v27) * h2
+            v36 = T33 * c2m3_pm
             v37 = c1_p * T22 + s1_p * T12
             v38 = c1_m * T22 + s1_m * T12
             v39 = c1_p * T12 - s1_p * T22
@@ -1066,26 +1063,25 @@ def _in_tiles(T, q, status):
             v43 = c1_p * T11 - s1_p * T21
             v44 = c1_m * T11 - s1_m * T21
             s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31)
-            s6_pm = v26 * (v22 * v43 + s2m3_pm * T31) - X4_pm * v41
-            s6_mp = v27 * (v22 * v44 + -s2m3_pm * T31) - X4_mp * v42
-            s6_mm = v27 * (v23 * v44 + s2m3_mm * T31) - X4_mm * v42
-            v93 = v20 <= m1
-            doubt = (
-                v21 <= m1 or v33 <= m2 or (v93 or v32 <= m2 or (v93 or v31 <= m2 or (shortest3_reach
-                <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-                longest3_apart) or (free1 or -k3 <= D1 and (free1 or not (k4 < D1))) or (v19 <= m1
-                or v30 <= m2))))
+            s6_pm = -X4_pm * v41 - v26 * (c2m3_pm * v43 - s2m3_pm * T31)
+            s6_mp = -X4_mp * v42 - v27 * (c2m3_pm * v44 - s2m3_mp * T31)
+            s6_mm = -X4_mm * v42 - v27 * (c2m3_mm * v44 - s2m3_mm * T31)
+            doubt1 = (
+                -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v33 <= m13 or (v13 <= m3 or
+                (v32 <= m13 or (v31 <= m13 or (v12 <= m3 or (v30 <= m13 or (shortest3_reach <= N3
+                and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or
+                v11 <= m3))))))))
             )
             work[544 + k] = v1
-            work[576 + k] = v10
-            work[608 + k] = v11
+            work[576 + k] = N3
+            work[608 + k] = v4
             work[640 + k] = v34
             work[672 + k] = v35
             work[704 + k] = s6_pp
             work[736 + k] = s6_pm
             work[768 + k] = s6_mp
             work[800 + k] = s6_mm
-            work[832 + k] = doubt
+            work[832 + k] = doubt1
             work[864 + k] = -v26
             work[896 + k] = -v26
             work[928 + k] = -v27
@@ -1094,13 +1090,13 @@ def _in_tiles(T, q, status):
             work[1024 + k] = -math.sqrt(v31)
             work[1056 + k] = -math.sqrt(v32)
             work[1088 + k] = -math.sqrt(v33)
-            work[1120 + k] = v8
-            work[1152 + k] = v9
+            work[1120 + k] = s1_p
+            work[1152 + k] = s1_m
             work[1184 + k] = S2_pp
             work[1216 + k] = S2_pm
             work[1248 + k] = S2_pm
             work[1280 + k] = S2_pp
-            work[1312 + k] = -v11
+            work[1312 + k] = -(k5 * (N3 - k6))
             work[1344 + k] = s6_pp
             work[1376 + k] = s6_pm
             work[1408 + k] = s6_mp
@@ -1110,33 +1106,33 @@ def _in_tiles(T, q, status):
             work[1536 + k] = -X4_mp
             work[1568 + k] = -X4_mm
             work[1600 + k] = -(T33 * c2m3_pp + s2m3_pp * v24)
-            work[1632 + k] = v36 - s2m3_pm * v24
-            work[1664 + k] = v36 - -s2m3_pm * v25
-            work[1696 + k] = T33 * v23 - s2m3_mm * v25
-            work[1728 + k] = v5
-            work[1760 + k] = v6
+            work[1632 + k] = -(v36 + s2m3_pm * v24)
+            work[1664 + k] = -(v36 + s2m3_mp * v25)
+            work[1696 + k] = -(T33 * c2m3_mm + s2m3_mm * v25)
+            work[1728 + k] = c1_p
+            work[1760 + k] = c1_m
             work[1792 + k] = C2_pp
             work[1824 + k] = C2_pm
             work[1856 + k] = -C2_pm
             work[1888 + k] = -C2_pp
-            work[1920 + k] = v13
+            work[1920 + k] = k5 * w3
             work[1952 + k] = v26 * (c2m3_pp * v39 - s2m3_pp * T32) - -X4_pp * v37
-            work[1984 + k] = X4_pm * v37 - v26 * (v22 * v39 + s2m3_pm * T32)
-            work[2016 + k] = X4_mp * v38 - v27 * (v22 * v40 + -s2m3_pm * T32)
-            work[2048 + k] = X4_mm * v38 - v27 * (v23 * v40 + s2m3_mm * T32)
+            work[1984 + k] = v26 * (c2m3_pm * v39 - s2m3_pm * T32) - -X4_pm * v37
+            work[2016 + k] = v27 * (c2m3_pm * v40 - s2m3_mp * T32) - -X4_mp * v38
+            work[2048 + k] = v27 * (c2m3_mm * v40 - s2m3_mm * T32) - -X4_mm * v38
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             v1 = work[544 + k]
-            v10 = work[576 + k]
-            v11 = work[608 + k]
+            N3 = work[576 + k]
+            v4 = work[608 + k]
             v34 = work[640 + k]
             v35 = work[672 + k]
             s6_pp = work[704 + k]
             s6_pm = work[736 + k]
             s6_mp = work[768 + k]
             s6_mm = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1166,30 +1162,30 @@ def _in_tiles(T, q, status):
             v48 = angle1___________ - offset2
             v49 = angle1____________ - offset2
             v50 = angle1_____________ - offset2
-            q2__pp = v47 + (m4 if v47 <= -half_turn else 0.0)
-            q2__pm = v48 + (m4 if v48 <= -half_turn else 0.0)
-            q2__mp = v49 + (m4 if v49 <= -half_turn else 0.0)
-            q2__mm = v50 + (m4 if v50 <= -half_turn else 0.0)
+            q2__pp = v47 + (m15 if v47 <= -half_turn else 0.0)
+            q2__pm = v48 + (m15 if v48 <= -half_turn else 0.0)
+            q2__mp = v49 + (m15 if v49 <= -half_turn else 0.0)
+            q2__mm = v50 + (m15 if v50 <= -half_turn else 0.0)
             v51 = angle1______________ - offset3
-            v52 = h1 * math.copysign(half_turn, -v11) - angle1______________ - offset3
-            q3__p = v51 + (m4 if v51 <= -half_turn else 0.0)
-            q3__m = v52 + (m4 if v52 <= -half_turn else 0.0)
+            v52 = h2 * math.copysign(half_turn, -(k5 * (N3 - k6))) - angle1______________ - offset3
+            q3__p = v51 + (m15 if v51 <= -half_turn else 0.0)
+            q3__m = v52 + (m15 if v52 <= -half_turn else 0.0)
             v53 = angle1_______________ - offset6
-            v54 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v54 = angle1_______________ - h2 * math.copysign(half_turn, s6_pp) - offset6
             v55 = angle1________________ - offset6
-            v56 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v56 = angle1________________ - h2 * math.copysign(half_turn, s6_pm) - offset6
             v57 = angle1_________________ - offset6
-            v58 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v58 = angle1_________________ - h2 * math.copysign(half_turn, s6_mp) - offset6
             v59 = angle1__________________ - offset6
-            v60 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v53 - (m4 if half_turn < v53 else 0.0)
-            q6_ppm = v54 - (m4 if half_turn < v54 else 0.0)
-            q6_pmp = v55 - (m4 if half_turn < v55 else 0.0)
-            q6_pmm = v56 - (m4 if half_turn < v56 else 0.0)
-            q6_mpp = v57 - (m4 if half_turn < v57 else 0.0)
-            q6_mpm = v58 - (m4 if half_turn < v58 else 0.0)
-            q6_mmp = v59 - (m4 if half_turn < v59 else 0.0)
-            q6_mmm = v60 - (m4 if half_turn < v60 else 0.0)
+            v60 = angle1__________________ - h2 * math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v53 - (m15 if half_turn < v53 else 0.0)
+            q6_ppm = v54 - (m15 if half_turn < v54 else 0.0)
+            q6_pmp = v55 - (m15 if half_turn < v55 else 0.0)
+            q6_pmm = v56 - (m15 if half_turn < v56 else 0.0)
+            q6_mpp = v57 - (m15 if half_turn < v57 else 0.0)
+            q6_mpm = v58 - (m15 if half_turn < v58 else 0.0)
+            q6_mmp = v59 - (m15 if half_turn < v59 else 0.0)
+            q6_mmm = v60 - (m15 if half_turn < v60 else 0.0)
             v61 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
             v62 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
             v63 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
@@ -1230,8 +1226,8 @@ def _in_tiles(T, q, status):
             q5_mpm = -angle1______ if v86 else v78
             q5_mmp = angle1_______ if v87 else v79
             q5_mmm = -angle1_______ if v88 else v80
-            q1_ppp = v10 + (v45 + (m4 if v45 <= -half_turn else 0.0))
-            q1_mpp = v10 + (v46 + (m4 if v46 <= -half_turn else 0.0))
+            q1_ppp = v4 + (v45 + (m15 if v45 <= -half_turn else 0.0))
+            q1_mpp = v4 + (v46 + (m15 if v46 <= -half_turn else 0.0))
             q3_ppp = v1 + (q3__p if v71 else v69)
             q3_pmp = v1 + (q3__m if v72 else v70)
             v89 = v65 or v71
@@ -1334,7 +1330,7 @@ def _in_tiles(T, q, status):
             work[3328 + k] = (
                 UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,338 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KUKA_IIWA14_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKUKA_IIWA14_SCALAR. With -DKUKA_IIWA14_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KUKA_IIWA14_SCALAR) && !defined(KUKA_IIWA14_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four cos_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER four sin_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide cos_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER wide sin_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define cos_wide cos
+#define sin_wide sin
+#ifdef KUKA_IIWA14_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16], const double free_joints[1])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last + 0.0 * (free_joints[0]);
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KUKA_IIWA14_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KUKA_IIWA14_UNREACHABLE \
+        : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.36; /* joint offset 1 [m] */
 static const double d3 = 0.42; /* joint offset 3 [m] */
 static const double d5 = 0.4; /* joint offset 5 [m] */
@@ -65,12 +397,6 @@ static const double highest[7] = {
     2.9670597283903604, 2.0943951023931953, 2.9670597283903604, 2.0943951023931953,
     2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void kuka_iiwa14_fk(const double q[7], double T[16])
 {
@@ -264,239 +590,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KUKA_IIWA14_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKUKA_IIWA14_SCALAR. With -DKUKA_IIWA14_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KUKA_IIWA14_SCALAR) && !defined(KUKA_IIWA14_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-HELPER four cos_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER four sin_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-HELPER wide cos_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER wide sin_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define cos_wide cos
-#define sin_wide sin
-#ifdef KUKA_IIWA14_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_IIWA14_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_IIWA14_UNREACHABLE \
-        : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
@@ -533,270 +626,249 @@ HELPER wide_mask solve_wide(
     const wide inverse1 = 1.0 / N1;
     const wide v9 = Z1 * -wx;
     const wide v10 = wy * Z1;
-    const wide v11 = -wx * w1;
-    const wide v12 = v10 - v11;
-    const wide v13 = v10 + v11;
-    const wide c1_pp = inverse1 * v12;
-    const wide c1_pm = inverse1 * v13;
-    const wide c1_mm = inverse1 * -v12;
-    const wide v14 = wy * w1;
-    const wide v15 = v9 + v14;
-    const wide v16 = v9 - v14;
-    const wide s1_pp = inverse1 * v15;
-    const wide s1_pm = inverse1 * v16;
-    const wide s1_mp = inverse1 * -v16;
+    const wide v11 = w1 * (-wx * inverse1);
+    const wide v12 = w1 * (wx * inverse1);
+    const wide v13 = inverse1 * v10;
+    const wide c1_pp = v13 - v11;
+    const wide c1_pm = v13 - v12;
+    const wide v14 = v11 + v13;
+    const wide v15 = v12 + v13;
+    const wide v16 = w1 * (wy * inverse1);
+    const wide v17 = w1 * (inverse1 * -wy);
+    const wide v18 = inverse1 * v9;
+    const wide s1_pp = v16 + v18;
+    const wide s1_pm = v17 + v18;
+    const wide s1_mp = v16 - v18;
+    const wide s1_mm = v17 - v18;
 
     /* theta2 */
-    const wide v17 = d5 * (c3 * v6);
+    const wide v19 = d5 * (c3 * v6);
     const wide X2_2 = d3 + d5 * v4;
     const wide Z1_2 = wz - d1;
-    const wide v18 = v17 * Z1_2;
-    const wide v19 = w1 * X2_2;
-    const wide S2_pp = v19 - v18;
-    const wide S2_mp = v18 + v19;
-    const wide v20 = X2_2 * Z1_2;
-    const wide v21 = w1 * v17;
-    const wide v22 = v20 + v21;
-    const wide v23 = v20 - v21;
-    const wide v24 = v22 * v22;
-    const wide v25 = S2_pp * S2_pp + v24;
-    const wide v26 = S2_mp * S2_mp + v23 * v23;
-    const wide v27 = v24 + -S2_pp * -S2_pp;
-    const wide factor2_pp = 1.0 / sqrt_wide(v25);
-    const wide factor2_pm = 1.0 / sqrt_wide(v26);
-    const wide factor2_mm = 1.0 / sqrt_wide(v27);
-    const wide v28 = v22 * factor2_pp;
-    const wide v29 = v23 * factor2_pm;
-    const wide v30 = v22 * factor2_mm;
+    const wide v20 = v19 * Z1_2;
+    const wide v21 = w1 * X2_2;
+    const wide S2_pp = v21 - v20;
+    const wide S2_mp = v20 + v21;
+    const wide v22 = X2_2 * Z1_2;
+    const wide v23 = w1 * v19;
+    const wide v24 = v22 + v23;
+    const wide v25 = v22 - v23;
+    const wide v26 = v24 * v24;
+    const wide v27 = S2_pp * S2_pp + v26;
+    const wide v28 = S2_mp * S2_mp + v25 * v25;
+    const wide v29 = v26 + -S2_pp * -S2_pp;
+    const wide factor2_pp = 1.0 / sqrt_wide(v27);
+    const wide factor2_pm = 1.0 / sqrt_wide(v28);
+    const wide factor2_mm = 1.0 / sqrt_wide(v29);
+    const wide v30 = v24 * factor2_pp;
+    const wide v31 = v25 * factor2_pm;
+    const wide v32 = v24 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
     const wide s2_mp = S2_mp * factor2_pm;
     const wide s2_mm = -S2_pp * factor2_mm;
 
     /* theta5 */
-    const wide v31 = c3 * T13;
-    const wide v32 = v4 * v31;
-    const wide v33 = c3 * T23;
+    const wide v33 = c3 * T13;
     const wide v34 = v4 * v33;
-    const wide v35 = T33 * v6;
-    const wide v36 = T13 * v6;
-    const wide v37 = T23 * v6;
-    const wide v38 = c3 * T33;
-    const wide v39 = v4 * v38;
-    const wide v40 = T13 * s1_pp;
-    const wide v41 = v40 - T23 * c1_pp;
-    const wide v42 = T23 * c1_pm;
-    const wide v43 = T13 * s1_pm - v42;
-    const wide v44 = v42 + T13 * s1_mp;
-    const wide v45 = v40 + T23 * c1_mm;
-    const wide v46 = s3 * v41;
-    const wide v47 = s3 * v43;
-    const wide v48 = s3 * v44;
-    const wide v49 = s3 * v45;
-    const wide v50 = s1_pp * v34;
-    const wide v51 = s1_pp * v37;
-    const wide X5_pp = v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 +
-        v51)));
-    const wide v52 = c1_pm * v32;
-    const wide v53 = c1_pm * v36;
-    const wide X5_pm = v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm *
-        v37)));
-    const wide X5_mp = v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 -
-        v52)));
-    const wide X5_mm = s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4
-        * v49;
-    const wide v54 = s3 * T33;
-    const wide v55 = T23 * s1_pp;
-    const wide Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41;
-    const wide v56 = s2_mp * v54;
-    const wide v57 = T13 * c1_pm;
-    const wide v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43;
-    const wide Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44;
-    const wide Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45;
-    const wide v59 = X5_pp * X5_pp + Y5_pp * Y5_pp;
-    const wide v60 = X5_pm * X5_pm + v58 * v58;
-    const wide v61 = X5_mp * X5_mp + Y5_mp * Y5_mp;
-    const wide v62 = X5_mm * X5_mm + Y5_mm * Y5_mm;
+    const wide v35 = c3 * T23;
+    const wide v36 = v4 * v35;
+    const wide v37 = T33 * v6;
+    const wide v38 = T13 * v6;
+    const wide v39 = T23 * v6;
+    const wide v40 = c3 * T33;
+    const wide v41 = v4 * v40;
+    const wide v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)));
+    const wide v43 = T13 * v9 - T23 * v10;
+    const wide v44 = inverse1 * (s3 * v43);
+    const wide v45 = inverse1 * (s3 * -v43);
+    const wide v46 = v42 + v44;
+    const wide v47 = v44 - v42;
+    const wide v48 = v42 + v45;
+    const wide v49 = v45 - v42;
+    const wide X5_pp = v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp
+        * v38 + s1_pp * v39)));
+    const wide X5_pm = v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm
+        * v38 + s1_pm * v39)));
+    const wide X5_mp = v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp *
+        v36 - v14 * v34)));
+    const wide X5_mm = v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm *
+        v36 - v15 * v34)));
+    const wide v50 = s3 * T33;
+    const wide Y5_pp = s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp -
+        T23 * c1_pp);
+    const wide v51 = s2_mp * v50;
+    const wide v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 *
+        c1_pm);
+    const wide Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 *
+        v14);
+    const wide Y5_mm = s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm +
+        T23 * v15);
+    const wide v53 = X5_pp * X5_pp + Y5_pp * Y5_pp;
+    const wide v54 = X5_pm * X5_pm + v52 * v52;
+    const wide v55 = X5_mp * X5_mp + Y5_mp * Y5_mp;
+    const wide v56 = X5_mm * X5_mm + Y5_mm * Y5_mm;
     const wide angle1 = atan2_wide(Y5_pp, -X5_pp);
-    const wide angle1_ = atan2_wide(-v58, -X5_pm);
+    const wide angle1_ = atan2_wide(-v52, -X5_pm);
     const wide angle1__ = atan2_wide(Y5_mp, -X5_mp);
     const wide angle1___ = atan2_wide(Y5_mm, -X5_mm);
     const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v58) * h1;
+    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v52) * h1;
     const wide q5_mpm = angle1__ - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
     const wide q5_mmm = angle1___ - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v63 = v6 * v31;
-    const wide v64 = v6 * v33;
-    const wide v65 = T33 * v4;
-    const wide v66 = T13 * v4;
-    const wide v67 = T23 * v4;
-    const wide v68 = v6 * v38;
+    const wide v57 = v6 * v33;
+    const wide v58 = v6 * v35;
+    const wide v59 = T33 * v4;
+    const wide v60 = T13 * v4;
+    const wide v61 = T23 * v4;
+    const wide v62 = v6 * v40;
 
     /* theta7 */
-    const wide v69 = s3 * T32;
-    const wide v70 = s1_pp * T12;
-    const wide v71 = v70 - c1_pp * T22;
-    const wide v72 = c1_pm * T22;
-    const wide v73 = s1_pm * T12 - v72;
-    const wide v74 = v72 + s1_mp * T12;
-    const wide v75 = v70 + c1_mm * T22;
-    const wide v76 = v4 * (c3 * T12);
-    const wide v77 = v4 * (c3 * T22);
-    const wide v78 = v6 * T32;
-    const wide v79 = v6 * T12;
-    const wide v80 = v6 * T22;
-    const wide v81 = v4 * (c3 * T32);
-    const wide v82 = s3 * T31;
-    const wide v83 = s1_pp * T11;
-    const wide v84 = v83 - c1_pp * T21;
-    const wide v85 = c1_pm * T21;
-    const wide v86 = s1_pm * T11 - v85;
-    const wide v87 = v85 + s1_mp * T11;
-    const wide v88 = v83 + c1_mm * T21;
-    const wide v89 = v4 * (c3 * T11);
-    const wide v90 = v4 * (c3 * T21);
-    const wide v91 = v6 * T31;
-    const wide v92 = v6 * T11;
-    const wide v93 = v6 * T21;
-    const wide v94 = v4 * (c3 * T31);
-    const wide v95 = s1_pp * T21;
-    const wide v96 = s1_pp * v90;
-    const wide v97 = s1_pp * v93;
-    const wide v98 = s1_pp * T22;
-    const wide v99 = s1_pp * v77;
-    const wide v100 = s1_pp * v80;
-    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11
-        + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97))
-        + v4 * (s3 * v84))), -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98))))
-        + Y5_pp * (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 *
-        (s3 * v71))));
-    const wide v101 = s2_mp * v82;
-    const wide v102 = c1_pm * T11;
-    const wide v103 = c1_pm * v89;
-    const wide v104 = c1_pm * v92;
-    const wide v105 = v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm *
-        v93)) + v4 * (s3 * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))));
-    const wide v106 = s2_mp * v69;
-    const wide v107 = c1_pm * T12;
-    const wide v108 = c1_pm * v76;
-    const wide v109 = c1_pm * v79;
-    const wide angle1_____ = atan2_wide(v105, v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp *
-        (v81 + (v109 + s1_pm * v80)) + v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 *
-        (v107 + s1_pm * T22)))));
-    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 -
-        v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 -
-        v103)) + v4 * (s3 * v87))), -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 -
-        v107)))) + Y5_mp * (s2_mp * (v81 + (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 -
-        v108)) + v4 * (s3 * v74))));
-    const wide v110 = X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm
-        * (s2_mm * (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3 *
-        v88));
-    const wide angle1_______ = atan2_wide(v110, X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 *
-        (c1_mm * T12 - v98)))) - Y5_mm * (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm
-        * v76 - v99)) - v4 * (s3 * v75)));
-    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v84 -
-        (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 +
-        v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 * v84))));
-    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v105);
-    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v87 -
-        (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93))
-        - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))));
-    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v110);
+    const wide v63 = s3 * T32;
+    const wide v64 = s1_pp * T12 - c1_pp * T22;
+    const wide v65 = s1_pm * T12 - c1_pm * T22;
+    const wide v66 = s1_mp * T12 + v14 * T22;
+    const wide v67 = s1_mm * T12 + v15 * T22;
+    const wide v68 = v4 * (c3 * T12);
+    const wide v69 = v4 * (c3 * T22);
+    const wide v70 = v6 * T32;
+    const wide v71 = v6 * T12;
+    const wide v72 = v6 * T22;
+    const wide v73 = v4 * (c3 * T32);
+    const wide v74 = s3 * T31;
+    const wide v75 = s1_pp * T11 - c1_pp * T21;
+    const wide v76 = s1_pm * T11 - c1_pm * T21;
+    const wide v77 = s1_mp * T11 + v14 * T21;
+    const wide v78 = s1_mm * T11 + v15 * T21;
+    const wide v79 = v4 * (c3 * T11);
+    const wide v80 = v4 * (c3 * T21);
+    const wide v81 = v6 * T31;
+    const wide v82 = v6 * T11;
+    const wide v83 = v6 * T21;
+    const wide v84 = v4 * (c3 * T31);
+    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11
+        + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 +
+        (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))), -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 *
+        (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) +
+        s2_pp * (v73 + (c1_pp * v71 + s1_pp * v72)) + v4 * (s3 * v64))));
+    const wide v85 = s2_mp * v74;
+    const wide v86 = v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82
+        + s1_pm * v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm * T11 +
+        s1_pm * T21))));
+    const wide v87 = s2_mp * v63;
+    const wide angle1_____ = atan2_wide(v86, v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) -
+        s2_mp * (v73 + (c1_pm * v71 + s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 +
+        v31 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
+    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14
+        * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 -
+        v14 * v79)) + v4 * (s3 * v77))), -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14
+        * T12)))) + Y5_mp * (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 -
+        v14 * v68)) + v4 * (s3 * v66))));
+    const wide angle1_______ = atan2_wide(-(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm *
+        T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 +
+        (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))), -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 *
+        (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) -
+        v32 * (v70 + (s1_mm * v69 - v15 * v68)) + v4 * (s3 * v67))));
+    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v75 -
+        (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp *
+        v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))));
+    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v86);
+    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v77 -
+        (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp
+        * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))));
+    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v78
+        - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 *
+        v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))));
 
     /* joint values */
-    const wide angle1________ = atan2_wide(v15, v12);
-    const wide v111 = angle1________ - offset1;
-    const wide angle1_________ = atan2_wide(v16, v13);
-    const wide v112 = angle1_________ - offset1;
-    const wide angle1__________ = atan2_wide(-v16, -v13);
-    const wide v113 = angle1__________ - offset1;
-    const wide angle1___________ = atan2_wide(-v15, -v12);
-    const wide v114 = angle1___________ - offset1;
-    const wide q1_ppp = v111 + pick_wide(v111 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_pmp = v112 + pick_wide(v112 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mpp = v113 + pick_wide(v113 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mmp = v114 + pick_wide(v114 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1____________ = atan2_wide(S2_pp, -v22);
-    const wide v115 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(-S2_mp, -v23);
-    const wide v116 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(S2_mp, -v23);
-    const wide v117 = angle1______________ - offset2;
-    const wide angle1_______________ = atan2_wide(-S2_pp, -v22);
-    const wide v118 = angle1_______________ - offset2;
-    const wide q2_ppp = v115 + pick_wide(v115 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_pmp = v116 + pick_wide(v116 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mpp = v117 + pick_wide(v117 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mmp = v118 + pick_wide(v118 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1________ = atan2_wide(s1_pp, c1_pp);
+    const wide v88 = angle1________ - offset1;
+    const wide angle1_________ = atan2_wide(s1_pm, c1_pm);
+    const wide v89 = angle1_________ - offset1;
+    const wide angle1__________ = atan2_wide(s1_mp, -v14);
+    const wide v90 = angle1__________ - offset1;
+    const wide angle1___________ = atan2_wide(s1_mm, -v15);
+    const wide v91 = angle1___________ - offset1;
+    const wide q1_ppp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_pmp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mpp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide angle1____________ = atan2_wide(S2_pp, -v24);
+    const wide v92 = angle1____________ - offset2;
+    const wide angle1_____________ = atan2_wide(-S2_mp, -v25);
+    const wide v93 = angle1_____________ - offset2;
+    const wide angle1______________ = atan2_wide(S2_mp, -v25);
+    const wide v94 = angle1______________ - offset2;
+    const wide angle1_______________ = atan2_wide(-S2_pp, -v24);
+    const wide v95 = angle1_______________ - offset2;
+    const wide q2_ppp = v92 + pick_wide(v92 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_pmp = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mpp = v94 + pick_wide(v94 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
     const wide angle1________________ = atan2_wide(-v5, -v3);
-    const wide v119 = angle1________________ - offset4;
-    const wide v120 = offset4 + angle1________________;
-    const wide q4__p = v119 + pick_wide(v119 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4__m = pick_wide(-v120 <= -half_turn, all_wide(m4), all_wide(0.0)) - v120;
-    const wide v121 = s1_pp * v67;
-    const wide v122 = s1_pp * v64;
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v59), v6 * v46 - (s2_pp * (c1_pp * v66
-        + v121 - v68) + v28 * (v65 + (c1_pp * v63 + v122))));
-    const wide v123 = c1_pm * v66;
-    const wide v124 = c1_pm * v63;
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v60), v6 * v47 - (v29 * (v65 + (v124
-        + s1_pm * v64)) - s2_mp * (v123 + s1_pm * v67 - v68)));
-    const wide angle1___________________ = atan2_wide(sqrt_wide(v61), -(v6 * v48 + (s2_mp * (v68 +
-        (s1_mp * v67 - v123)) + v29 * (v65 + (v124 - s1_mp * v64)))));
-    const wide angle1____________________ = atan2_wide(sqrt_wide(v62), v6 * v49 - (s2_mm * (v68 +
-        (c1_mm * v66 - v121)) + v30 * (v65 + (v122 - c1_mm * v63))));
-    const wide v125 = angle1_________________ - offset6;
-    const wide v126 = offset6 + angle1_________________;
-    const wide v127 = angle1__________________ - offset6;
-    const wide v128 = offset6 + angle1__________________;
-    const wide v129 = angle1___________________ - offset6;
-    const wide v130 = offset6 + angle1___________________;
-    const wide v131 = angle1____________________ - offset6;
-    const wide v132 = offset6 + angle1____________________;
-    const wide q6_ppp = v125 + pick_wide(v125 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_ppm = pick_wide(-v126 <= -half_turn, all_wide(m4), all_wide(0.0)) - v126;
-    const wide q6_pmp = v127 + pick_wide(v127 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_pmm = pick_wide(-v128 <= -half_turn, all_wide(m4), all_wide(0.0)) - v128;
-    const wide q6_mpp = v129 + pick_wide(v129 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mpm = pick_wide(-v130 <= -half_turn, all_wide(m4), all_wide(0.0)) - v130;
-    const wide q6_mmp = v131 + pick_wide(v131 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mmm = pick_wide(-v132 <= -half_turn, all_wide(m4), all_wide(0.0)) - v132;
-    const wide_mask v133 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v134 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v135 = (q4__m < low4) | (high4 < q4__m);
+    const wide v96 = angle1________________ - offset4;
+    const wide v97 = offset4 + angle1________________;
+    const wide q4__p = v96 + pick_wide(v96 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4__m = pick_wide(-v97 <= -half_turn, all_wide(m4), all_wide(0.0)) - v97;
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v53), v6 * v46 - (s2_pp * (c1_pp * v60
+        + s1_pp * v61 - v62) + v30 * (v59 + (c1_pp * v57 + s1_pp * v58))));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v54), v6 * v47 - (v31 * (v59 + (c1_pm
+        * v57 + s1_pm * v58)) - s2_mp * (c1_pm * v60 + s1_pm * v61 - v62)));
+    const wide angle1___________________ = atan2_wide(sqrt_wide(v55), -(v6 * v48 + (s2_mp * (v62 +
+        (s1_mp * v61 - v14 * v60)) + v31 * (v59 + (v14 * v57 - s1_mp * v58)))));
+    const wide angle1____________________ = atan2_wide(sqrt_wide(v56), -(v6 * v49 + (s2_mm * (v62 +
+        (s1_mm * v61 - v15 * v60)) + v32 * (v59 + (v15 * v57 - s1_mm * v58)))));
+    const wide v98 = angle1_________________ - offset6;
+    const wide v99 = offset6 + angle1_________________;
+    const wide v100 = angle1__________________ - offset6;
+    const wide v101 = offset6 + angle1__________________;
+    const wide v102 = angle1___________________ - offset6;
+    const wide v103 = offset6 + angle1___________________;
+    const wide v104 = angle1____________________ - offset6;
+    const wide v105 = offset6 + angle1____________________;
+    const wide q6_ppp = v98 + pick_wide(v98 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_ppm = pick_wide(-v99 <= -half_turn, all_wide(m4), all_wide(0.0)) - v99;
+    const wide q6_pmp = v100 + pick_wide(v100 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_pmm = pick_wide(-v101 <= -half_turn, all_wide(m4), all_wide(0.0)) - v101;
+    const wide q6_mpp = v102 + pick_wide(v102 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mpm = pick_wide(-v103 <= -half_turn, all_wide(m4), all_wide(0.0)) - v103;
+    const wide q6_mmp = v104 + pick_wide(v104 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mmm = pick_wide(-v105 <= -half_turn, all_wide(m4), all_wide(0.0)) - v105;
+    const wide_mask v106 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v107 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v108 = (q4__m < low4) | (high4 < q4__m);
     const wide q3_ppp = v8 + (free_joints[0] + (w4 - w4));
     const wide q4_ppp = v8 + q4__p;
     const wide q4_mpp = v8 + q4__m;
-    const wide_mask v136 = v134 | (v133 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+    const wide_mask v109 = v107 | (v106 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
         (high2 < q2_ppp))));
-    const wide_mask v137 = v134 | (v133 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+    const wide_mask v110 = v107 | (v106 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
         (high2 < q2_pmp))));
-    const wide_mask v138 = v135 | (v133 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+    const wide_mask v111 = v108 | (v106 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
         (high2 < q2_mpp))));
-    const wide_mask v139 = v135 | (v133 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+    const wide_mask v112 = v108 | (v106 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
     const wide_mask outside_ppp = ((angle1____ < low7) | (high7 < angle1____)) | (((q6_ppp < low6) |
-        (high6 < q6_ppp)) | (v136 | ((angle1 < low5) | (high5 < angle1))));
+        (high6 < q6_ppp)) | (v109 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v136 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+        < q6_ppm)) | (v109 | ((q5_ppm < low5) | (high5 < q5_ppm))));
     const wide_mask outside_pmp = ((angle1_____ < low7) | (high7 < angle1_____)) | (((q6_pmp < low6)
-        | (high6 < q6_pmp)) | (v137 | ((angle1_ < low5) | (high5 < angle1_))));
+        | (high6 < q6_pmp)) | (v110 | ((angle1_ < low5) | (high5 < angle1_))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v137 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+        < q6_pmm)) | (v110 | ((q5_pmm < low5) | (high5 < q5_pmm))));
     const wide_mask outside_mpp = ((angle1______ < low7) | (high7 < angle1______)) | (((q6_mpp <
-        low6) | (high6 < q6_mpp)) | (v138 | ((angle1__ < low5) | (high5 < angle1__))));
+        low6) | (high6 < q6_mpp)) | (v111 | ((angle1__ < low5) | (high5 < angle1__))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v138 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+        < q6_mpm)) | (v111 | ((q5_mpm < low5) | (high5 < q5_mpm))));
     const wide_mask outside_mmp = ((angle1_______ < low7) | (high7 < angle1_______)) | (((q6_mmp <
-        low6) | (high6 < q6_mmp)) | (v139 | ((angle1___ < low5) | (high5 < angle1___))));
+        low6) | (high6 < q6_mmp)) | (v112 | ((angle1___ < low5) | (high5 < angle1___))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v139 | ((q5_mmm < low5) | (high5 < q5_mmm))));
-    const wide_mask v140 = v26 <= m1;
-    const wide_mask doubt = ((v27 <= m1) | (v62 <= m2)) | ((v140 | (v61 <= m2)) | ((v140 | (v60 <=
-        m2)) | ((((-(reach_slack1 * (reach_slack1 + v7)) <= D1) & (free1 | ((merge_slack1 *
-        (merge_slack1 + v7) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
-        & ((merge_slack2 * (merge_slack2 + v2) < D4) == 0)))) | ((v25 <= m1) | (v59 <= m2)))));
+        < q6_mmm)) | (v112 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+    const wide_mask doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
+        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((v56 <= m2) | ((v29 <= m1) | ((v55 <= m2) |
+        ((v54 <= m2) | ((v28 <= m1) | ((v53 <= m2) | (((-(reach_slack1 * (reach_slack1 + v7)) <= D1)
+        & (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))) | (v27 <= m1)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -863,73 +935,10 @@ HELPER wide_mask solve_wide(
     q[55] = q7_mmm;
     kind[7] = kind_of(q[49] != q[49], outside_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16], const double free_joints[1])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(
@@ -968,60 +977,60 @@ HELPER int solve_regular(
     const double inverse1 = 1.0 / N1;
     const double v9 = Z1 * -wx;
     const double v10 = wy * Z1;
-    const double v11 = -wx * w1;
-    const four v12 = e1 * v10;
-    const four v13 = e2 * v11;
-    const four v14 = v12 - v13;
-    const four c1 = inverse1 * v14;
-    const double v15 = wy * w1;
-    const four v16 = e1 * v9;
-    const four v17 = e2 * v15;
-    const four v18 = v16 + v17;
-    const four s1 = inverse1 * v18;
+    const four v11 = e1 * v10;
+    const four v12 = w1 * (inverse1 * (e2 * -wx));
+    const four v13 = inverse1 * v11;
+    const four c1 = v13 - v12;
+    const four v14 = e1 * v9;
+    const four v15 = w1 * (inverse1 * (e2 * wy));
+    const four v16 = inverse1 * v14;
+    const four s1 = v15 + v16;
 
     /* theta2 */
-    const double v19 = d5 * (c3 * v6);
+    const double v17 = d5 * (c3 * v6);
     const double X2_2 = d3 + d5 * v4;
     const double Z1_2 = wz - d1;
-    const double v20 = v19 * Z1_2;
-    const double v21 = w1 * X2_2;
-    const four v22 = e2 * v21;
-    const four v23 = e1 * v20;
-    const four S2 = v22 - v23;
-    const double v24 = X2_2 * Z1_2;
-    const double v25 = w1 * v19;
-    const four v26 = v24 + v25 * (e1 * e2);
-    const four v27 = S2 * S2 + v26 * v26;
-    const four factor2 = 1.0 / sqrt_four(v27);
-    const four v28 = v26 * factor2;
+    const double v18 = v17 * Z1_2;
+    const double v19 = w1 * X2_2;
+    const four v20 = e2 * v19;
+    const four v21 = e1 * v18;
+    const four S2 = v20 - v21;
+    const double v22 = X2_2 * Z1_2;
+    const double v23 = w1 * v17;
+    const four v24 = v22 + v23 * (e1 * e2);
+    const four v25 = S2 * S2 + v24 * v24;
+    const four factor2 = 1.0 / sqrt_four(v25);
+    const four v26 = v24 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta5 */
-    const double v29 = c3 * T13;
+    const double v27 = c3 * T13;
+    const double v28 = v4 * v27;
+    const double v29 = c3 * T23;
     const double v30 = v4 * v29;
-    const double v31 = c3 * T23;
-    const double v32 = v4 * v31;
-    const double v33 = T33 * v6;
-    const double v34 = T13 * v6;
-    const double v35 = T23 * v6;
-    const double v36 = c3 * T33;
-    const double v37 = v4 * v36;
-    const four v38 = T13 * s1 - T23 * c1;
-    const four v39 = s3 * v38;
-    const four v40 = e1 * v33;
-    const four X5 = v4 * v39 + (v28 * (v40 - (c1 * v30 + s1 * v32)) + s2 * (v37 + e1 * (c1 * v34 +
-        s1 * v35)));
+    const double v31 = T33 * v6;
+    const double v32 = T13 * v6;
+    const double v33 = T23 * v6;
+    const double v34 = c3 * T33;
+    const double v35 = v4 * v34;
+    const double v36 = T13 * wy + T23 * -wx;
+    const four v37 = w1 * (inverse1 * (s3 * (e2 * v36)));
+    const four v38 = inverse1 * (s3 * (T13 * v14 - T23 * v11));
+    const four v39 = v37 + v38;
+    const four v40 = e1 * v31;
+    const four X5 = v4 * v39 + (v26 * (v40 - (c1 * v28 + s1 * v30)) + s2 * (v35 + e1 * (c1 * v32 +
+        s1 * v33)));
     const double v41 = s3 * T33;
-    const four Y5 = s2 * v41 - v28 * (s3 * (T13 * c1 + T23 * s1)) - c3 * v38;
+    const four Y5 = s2 * v41 - v26 * (s3 * (T13 * c1 + T23 * s1)) - c3 * (T13 * s1 - T23 * c1);
     const four v42 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v43 = v6 * v29;
-    const double v44 = v6 * v31;
+    const double v43 = v6 * v27;
+    const double v44 = v6 * v29;
     const double v45 = T33 * v4;
     const double v46 = T13 * v4;
     const double v47 = T23 * v4;
-    const double v48 = v6 * v36;
+    const double v48 = v6 * v34;
     const four v49 = e1 * v48;
 
     /* theta7 */
@@ -1047,26 +1056,26 @@ HELPER int solve_regular(
     /* joint values */
     const int v73 = (free_joints[0] < low3) | (high3 < free_joints[0]);
     const double q3_p = v8 + (free_joints[0] + (w4 - w4));
-    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v7)) <= D1) & (free1 | ((merge_slack1 *
-        (merge_slack1 + v7) < D1) == 0))) | (free1 | ((-(reach_slack2 * (reach_slack2 + v2)) <= D4)
-        & ((merge_slack2 * (merge_slack2 + v2) < D4) == 0)));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v27 <= m1) | (v42 <= m2));
+    const four_mask doubt2 = (v25 <= m1) | (v42 <= m2);
+    const int doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
+        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v7)) <= D1) &
+        (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))));
 
     const four angle1 = atan2_four(Y5, -X5);
-    const four angle1_ = atan2_four(-(X5 * (c3 * v60 - (s2 * v59 - v28 * (s3 * (c1 * T11 + s1 *
-        T21)))) + Y5 * (v28 * (v67 - (c1 * v61 + s1 * v62)) + s2 * (v66 + e1 * (c1 * v64 + s1 *
-        v65)) + v4 * (s3 * v60))), -(X5 * (c3 * v51 - (s2 * v50 - v28 * (s3 * (c1 * T12 + s1 *
-        T22)))) + Y5 * (v28 * (v58 - (c1 * v52 + s1 * v53)) + s2 * (v57 + e1 * (c1 * v55 + s1 *
+    const four angle1_ = atan2_four(-(X5 * (c3 * v60 - (s2 * v59 - v26 * (s3 * (c1 * T11 + s1 *
+        T21)))) + Y5 * (v26 * (v67 - (c1 * v61 + s1 * v62)) + s2 * (v66 + e1 * (c1 * v64 + s1 *
+        v65)) + v4 * (s3 * v60))), -(X5 * (c3 * v51 - (s2 * v50 - v26 * (s3 * (c1 * T12 + s1 *
+        T22)))) + Y5 * (v26 * (v58 - (c1 * v52 + s1 * v53)) + s2 * (v57 + e1 * (c1 * v55 + s1 *
         v56)) + v4 * (s3 * v51))));
-    const four angle1__ = atan2_four(v18, v14);
-    const four angle1___ = atan2_four(S2, -v26);
+    const four angle1__ = atan2_four(s1, c1);
+    const four angle1___ = atan2_four(S2, -v24);
     const four angle1_____ = atan2_four(sqrt_four(v42), e1 * (v6 * v39) - (s2 * (c1 * v46 + s1 * v47
-        - v49) + v28 * (v45 + e1 * (c1 * v43 + s1 * v44))));
+        - v49) + v26 * (v45 + e1 * (c1 * v43 + s1 * v44))));
     const four packed6 = atan2_four((four){ -v5, -v5, -v5, -v5 }, (four){ -v3, -v3, -v3, -v3 });
     const four angle1____ = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
     const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
     const four q7_m = angle1_ - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v60 - (s2 * v59
-        - v28 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v28 * (v67 - (c1 * v61 + s1 * v62)) + s2 *
+        - v26 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v26 * (v67 - (c1 * v61 + s1 * v62)) + s2 *
         (v66 + e1 * (c1 * v64 + s1 * v65)) + v4 * (s3 * v60))));
     const four v68 = angle1__ - offset1;
     const four q1_p = v68 + pick_four(v68 <= -half_turn, all_four(m4), all_four(0.0));
@@ -1080,69 +1089,30 @@ HELPER int solve_regular(
     const four q6_m = pick_four(-v72 <= -half_turn, all_four(m4), all_four(0.0)) - v72;
     const four_mask v74 = (q4_ < low4) | (high4 < q4_);
     const four q4_p = v8 + q4_;
-    const four_mask v75 = v74 | ((all_four(v73 ? 1.0 : 0.0) > 0.0) | (((q1_p < low1) | (high1 <
-        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
+    const four_mask v75 = v74 | (where_four(v73) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
+        low2) | (high2 < q2_p))));
     const four_mask outside_p = ((angle1_ < low7) | (high7 < angle1_)) | (((q6_p < low6) | (high6 <
         q6_p)) | (v75 | ((angle1 < low5) | (high5 < angle1))));
     const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
         | (v75 | ((q5_m < low5) | (high5 < q5_m))));
 
-    if (!(irregularity_double(T, free_joints) <= 1e-24))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+        (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1, q6_p);
     store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle1_);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * KUKA_IIWA14_UNREACHABLE + (outside1 & ~none1) *
+        KUKA_IIWA14_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -634,303 +634,295 @@ def _regular(pose, q_free, q, status):
     inverse1 = 1.0 / N1
     v9 = Z1 * -wx
     v10 = wy * Z1
-    v11 = -wx * w1
-    v12 = v10 - v11
-    v13 = v10 + v11
-    c1_pp = inverse1 * v12
-    c1_pm = inverse1 * v13
-    c1_mm = inverse1 * -v12
-    v14 = wy * w1
-    v15 = v9 + v14
-    v16 = v9 - v14
-    s1_pp = inverse1 * v15
-    s1_pm = inverse1 * v16
-    s1_mp = inverse1 * -v16
+    v11 = w1 * (-wx * inverse1)
+    v12 = w1 * (wx * inverse1)
+    v13 = inverse1 * v10
+    c1_pp = v13 - v11
+    c1_pm = v13 - v12
+    v14 = v11 + v13
+    v15 = v12 + v13
+    v16 = w1 * (wy * inverse1)
+    v17 = w1 * (inverse1 * -wy)
+    v18 = inverse1 * v9
+    s1_pp = v16 + v18
+    s1_pm = v17 + v18
+    s1_mp = v16 - v18
+    s1_mm = v17 - v18
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    v17 = d5 * (c3 * v6)
+    v19 = d5 * (c3 * v6)
     X2_2 = d3 + d5 * v4
     Z1_2 = wz - d1
-    v18 = v17 * Z1_2
-    v19 = w1 * X2_2
-    S2_pp = v19 - v18
-    S2_mp = v18 + v19
-    v20 = X2_2 * Z1_2
-    v21 = w1 * v17
-    v22 = v20 + v21
-    v23 = v20 - v21
-    v24 = v22 * v22
-    v25 = S2_pp * S2_pp + v24
-    v26 = S2_mp * S2_mp + v23 * v23
-    v27 = v24 + -S2_pp * -S2_pp
-    factor2_pp = 1.0 / math.sqrt(v25)
-    factor2_pm = 1.0 / math.sqrt(v26)
-    factor2_mm = 1.0 / math.sqrt(v27)
-    v28 = v22 * factor2_pp
-    v29 = v23 * factor2_pm
-    v30 = v22 * factor2_mm
+    v20 = v19 * Z1_2
+    v21 = w1 * X2_2
+    S2_pp = v21 - v20
+    S2_mp = v20 + v21
+    v22 = X2_2 * Z1_2
+    v23 = w1 * v19
+    v24 = v22 + v23
+    v25 = v22 - v23
+    v26 = v24 * v24
+    v27 = S2_pp * S2_pp + v26
+    v28 = S2_mp * S2_mp + v25 * v25
+    v29 = v26 + -S2_pp * -S2_pp
+    factor2_pp = 1.0 / math.sqrt(v27)
+    factor2_pm = 1.0 / math.sqrt(v28)
+    factor2_mm = 1.0 / math.sqrt(v29)
+    v30 = v24 * factor2_pp
+    v31 = v25 * factor2_pm
+    v32 = v24 * factor2_mm
     s2_pp = S2_pp * factor2_pp
     s2_mp = S2_mp * factor2_pm
     s2_mm = -S2_pp * factor2_mm
 
     # theta5, type 2: U5[3, 3]
-    v31 = c3 * T13
-    v32 = v4 * v31
-    v33 = c3 * T23
+    v33 = c3 * T13
     v34 = v4 * v33
-    v35 = T33 * v6
-    v36 = T13 * v6
-    v37 = T23 * v6
-    v38 = c3 * T33
-    v39 = v4 * v38
-    v40 = T13 * s1_pp
-    v41 = v40 - T23 * c1_pp
-    v42 = T23 * c1_pm
-    v43 = T13 * s1_pm - v42
-    v44 = v42 + T13 * s1_mp
-    v45 = v40 + T23 * c1_mm
-    v46 = s3 * v41
-    v47 = s3 * v43
-    v48 = s3 * v44
-    v49 = s3 * v45
-    v50 = s1_pp * v34
-    v51 = s1_pp * v37
-    X5_pp = v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 + v51)))
-    v52 = c1_pm * v32
-    v53 = c1_pm * v36
-    X5_pm = v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm * v37)))
-    X5_mp = v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 - v52)))
-    X5_mm = s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4 * v49
-    v54 = s3 * T33
-    v55 = T23 * s1_pp
-    Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41
-    v56 = s2_mp * v54
-    v57 = T13 * c1_pm
-    v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43
-    Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44
-    Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45
-    v59 = X5_pp * X5_pp + Y5_pp * Y5_pp
-    v60 = X5_pm * X5_pm + v58 * v58
-    v61 = X5_mp * X5_mp + Y5_mp * Y5_mp
-    v62 = X5_mm * X5_mm + Y5_mm * Y5_mm
+    v35 = c3 * T23
+    v36 = v4 * v35
+    v37 = T33 * v6
+    v38 = T13 * v6
+    v39 = T23 * v6
+    v40 = c3 * T33
+    v41 = v4 * v40
+    v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+    v43 = T13 * v9 - T23 * v10
+    v44 = inverse1 * (s3 * v43)
+    v45 = inverse1 * (s3 * -v43)
+    v46 = v42 + v44
+    v47 = v44 - v42
+    v48 = v42 + v45
+    v49 = v45 - v42
+    X5_pp = (
+        v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp * v38 + s1_pp
+        * v39)))
+    )
+    X5_pm = (
+        v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm * v38 + s1_pm
+        * v39)))
+    )
+    X5_mp = (
+        v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp * v36 - v14 *
+        v34)))
+    )
+    X5_mm = (
+        v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm * v36 - v15 *
+        v34)))
+    )
+    v50 = s3 * T33
+    Y5_pp = (
+        s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp - T23 * c1_pp)
+    )
+    v51 = s2_mp * v50
+    v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 * c1_pm)
+    Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 * v14)
+    Y5_mm = s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm + T23 * v15)
+    v53 = X5_pp * X5_pp + Y5_pp * Y5_pp
+    v54 = X5_pm * X5_pm + v52 * v52
+    v55 = X5_mp * X5_mp + Y5_mp * Y5_mp
+    v56 = X5_mm * X5_mm + Y5_mm * Y5_mm
     angle1 = _atan2(Y5_pp, -X5_pp)
-    angle1_ = _atan2(-v58, -X5_pm)
+    angle1_ = _atan2(-v52, -X5_pm)
     angle1__ = _atan2(Y5_mp, -X5_mp)
     angle1___ = _atan2(Y5_mm, -X5_mm)
     q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle1_ - math.copysign(half_turn, -v58) * h1
+    q5_pmm = angle1_ - math.copysign(half_turn, -v52) * h1
     q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
     q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v63 = v6 * v31
-    v64 = v6 * v33
-    v65 = T33 * v4
-    v66 = T13 * v4
-    v67 = T23 * v4
-    v68 = v6 * v38
+    v57 = v6 * v33
+    v58 = v6 * v35
+    v59 = T33 * v4
+    v60 = T13 * v4
+    v61 = T23 * v4
+    v62 = v6 * v40
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v69 = s3 * T32
-    v70 = s1_pp * T12
-    v71 = v70 - c1_pp * T22
-    v72 = c1_pm * T22
-    v73 = s1_pm * T12 - v72
-    v74 = v72 + s1_mp * T12
-    v75 = v70 + c1_mm * T22
-    v76 = v4 * (c3 * T12)
-    v77 = v4 * (c3 * T22)
-    v78 = v6 * T32
-    v79 = v6 * T12
-    v80 = v6 * T22
-    v81 = v4 * (c3 * T32)
-    v82 = s3 * T31
-    v83 = s1_pp * T11
-    v84 = v83 - c1_pp * T21
-    v85 = c1_pm * T21
-    v86 = s1_pm * T11 - v85
-    v87 = v85 + s1_mp * T11
-    v88 = v83 + c1_mm * T21
-    v89 = v4 * (c3 * T11)
-    v90 = v4 * (c3 * T21)
-    v91 = v6 * T31
-    v92 = v6 * T11
-    v93 = v6 * T21
-    v94 = v4 * (c3 * T31)
-    v95 = s1_pp * T21
-    v96 = s1_pp * v90
-    v97 = s1_pp * v93
-    v98 = s1_pp * T22
-    v99 = s1_pp * v77
-    v100 = s1_pp * v80
+    v63 = s3 * T32
+    v64 = s1_pp * T12 - c1_pp * T22
+    v65 = s1_pm * T12 - c1_pm * T22
+    v66 = s1_mp * T12 + v14 * T22
+    v67 = s1_mm * T12 + v15 * T22
+    v68 = v4 * (c3 * T12)
+    v69 = v4 * (c3 * T22)
+    v70 = v6 * T32
+    v71 = v6 * T12
+    v72 = v6 * T22
+    v73 = v4 * (c3 * T32)
+    v74 = s3 * T31
+    v75 = s1_pp * T11 - c1_pp * T21
+    v76 = s1_pm * T11 - c1_pm * T21
+    v77 = s1_mp * T11 + v14 * T21
+    v78 = s1_mm * T11 + v15 * T21
+    v79 = v4 * (c3 * T11)
+    v80 = v4 * (c3 * T21)
+    v81 = v6 * T31
+    v82 = v6 * T11
+    v83 = v6 * T21
+    v84 = v4 * (c3 * T31)
     angle1____ = (
-        _atan2(-(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp *
-        (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 *
-        v84))), -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98)))) + Y5_pp *
-        (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 * (s3 *
-        v71))))
+        _atan2(-(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) +
+        Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp *
+        v83)) + v4 * (s3 * v75))), -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 * (s3 * (c1_pp * T12 +
+        s1_pp * T22)))) + Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) + s2_pp * (v73 + (c1_pp
+        * v71 + s1_pp * v72)) + v4 * (s3 * v64))))
     )
-    v101 = s2_mp * v82
-    v102 = c1_pm * T11
-    v103 = c1_pm * v89
-    v104 = c1_pm * v92
-    v105 = (
-        v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm * v93)) + v4 * (s3
-        * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))))
+    v85 = s2_mp * v74
+    v86 = (
+        v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82 + s1_pm *
+        v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm * T11 + s1_pm *
+        T21))))
     )
-    v106 = s2_mp * v69
-    v107 = c1_pm * T12
-    v108 = c1_pm * v76
-    v109 = c1_pm * v79
+    v87 = s2_mp * v63
     angle1_____ = (
-        _atan2(v105, v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp * (v81 + (v109 + s1_pm *
-        v80)) + v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 * (v107 + s1_pm * T22)))))
+        _atan2(v86, v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) - s2_mp * (v73 + (c1_pm * v71 +
+        s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 + v31 * (s3 * (c1_pm * T12 +
+        s1_pm * T22)))))
     )
     angle1______ = (
-        _atan2(-(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp *
-        (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))),
-        -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 - v107)))) + Y5_mp * (s2_mp * (v81 +
-        (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 - v108)) + v4 * (s3 * v74))))
-    )
-    v110 = (
-        X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm * (s2_mm *
-        (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3 * v88))
+        _atan2(-(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
+        (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 *
+        (s3 * v77))), -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp
+        * (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 - v14 * v68)) + v4
+        * (s3 * v66))))
     )
     angle1_______ = (
-        _atan2(v110, X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 * (c1_mm * T12 - v98)))) - Y5_mm *
-        (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm * v76 - v99)) - v4 * (s3 *
-        v75)))
+        _atan2(-(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm
+        * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4
+        * (s3 * v78))), -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 * (s3 * (s1_mm * T22 - v15 *
+        T12)))) + Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) - v32 * (v70 + (s1_mm * v69 -
+        v15 * v68)) + v4 * (s3 * v67))))
     )
     q7_ppm = (
-        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 *
-        (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp
-        * v92 + v97)) + v4 * (s3 * v84))))
+        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 *
+        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp
+        * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))))
     )
-    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v105)
+    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v86)
     q7_mpm = (
-        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v87 - (v101 - v29 * (s3 *
-        (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 * (v91 +
-        (s1_mp * v90 - v103)) + v4 * (s3 * v87))))
+        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp
+        * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 +
+        (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))))
     )
-    q7_mmm = angle1_______ - h1 * math.copysign(half_turn, v110)
+    q7_mmm = (
+        angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3
+        * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 *
+        (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))))
+    )
 
     # joint values
-    angle1________ = _atan2(v15, v12)
-    v111 = angle1________ - offset1
-    angle1_________ = _atan2(v16, v13)
-    v112 = angle1_________ - offset1
-    angle1__________ = _atan2(-v16, -v13)
-    v113 = angle1__________ - offset1
-    angle1___________ = _atan2(-v15, -v12)
-    v114 = angle1___________ - offset1
-    q1_ppp = v111 + (m4 if v111 <= -half_turn else 0.0)
-    q1_pmp = v112 + (m4 if v112 <= -half_turn else 0.0)
-    q1_mpp = v113 + (m4 if v113 <= -half_turn else 0.0)
-    q1_mmp = v114 + (m4 if v114 <= -half_turn else 0.0)
-    angle1____________ = _atan2(S2_pp, -v22)
-    v115 = angle1____________ - offset2
-    angle1_____________ = _atan2(-S2_mp, -v23)
-    v116 = angle1_____________ - offset2
-    angle1______________ = _atan2(S2_mp, -v23)
-    v117 = angle1______________ - offset2
-    angle1_______________ = _atan2(-S2_pp, -v22)
-    v118 = angle1_______________ - offset2
-    q2_ppp = v115 + (m4 if v115 <= -half_turn else 0.0)
-    q2_pmp = v116 + (m4 if v116 <= -half_turn else 0.0)
-    q2_mpp = v117 + (m4 if v117 <= -half_turn else 0.0)
-    q2_mmp = v118 + (m4 if v118 <= -half_turn else 0.0)
+    angle1________ = _atan2(s1_pp, c1_pp)
+    v88 = angle1________ - offset1
+    angle1_________ = _atan2(s1_pm, c1_pm)
+    v89 = angle1_________ - offset1
+    angle1__________ = _atan2(s1_mp, -v14)
+    v90 = angle1__________ - offset1
+    angle1___________ = _atan2(s1_mm, -v15)
+    v91 = angle1___________ - offset1
+    q1_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
+    q1_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q1_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    q1_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
+    angle1____________ = _atan2(S2_pp, -v24)
+    v92 = angle1____________ - offset2
+    angle1_____________ = _atan2(-S2_mp, -v25)
+    v93 = angle1_____________ - offset2
+    angle1______________ = _atan2(S2_mp, -v25)
+    v94 = angle1______________ - offset2
+    angle1_______________ = _atan2(-S2_pp, -v24)
+    v95 = angle1_______________ - offset2
+    q2_ppp = v92 + (m4 if v92 <= -half_turn else 0.0)
+    q2_pmp = v93 + (m4 if v93 <= -half_turn else 0.0)
+    q2_mpp = v94 + (m4 if v94 <= -half_turn else 0.0)
+    q2_mmp = v95 + (m4 if v95 <= -half_turn else 0.0)
     angle1________________ = _atan2(-v5, -v3)
-    v119 = angle1________________ - offset4
-    v120 = offset4 + angle1________________
-    q4__p = v119 + (m4 if v119 <= -half_turn else 0.0)
-    q4__m = (m4 if -v120 <= -half_turn else 0.0) - v120
-    v121 = s1_pp * v67
-    v122 = s1_pp * v64
+    v96 = angle1________________ - offset4
+    v97 = offset4 + angle1________________
+    q4__p = v96 + (m4 if v96 <= -half_turn else 0.0)
+    q4__m = (m4 if -v97 <= -half_turn else 0.0) - v97
     angle1_________________ = (
-        _atan2(math.sqrt(v59), v6 * v46 - (s2_pp * (c1_pp * v66 + v121 - v68) + v28 * (v65 + (c1_pp
-        * v63 + v122))))
+        _atan2(math.sqrt(v53), v6 * v46 - (s2_pp * (c1_pp * v60 + s1_pp * v61 - v62) + v30 * (v59 +
+        (c1_pp * v57 + s1_pp * v58))))
     )
-    v123 = c1_pm * v66
-    v124 = c1_pm * v63
     angle1__________________ = (
-        _atan2(math.sqrt(v60), v6 * v47 - (v29 * (v65 + (v124 + s1_pm * v64)) - s2_mp * (v123 +
-        s1_pm * v67 - v68)))
+        _atan2(math.sqrt(v54), v6 * v47 - (v31 * (v59 + (c1_pm * v57 + s1_pm * v58)) - s2_mp *
+        (c1_pm * v60 + s1_pm * v61 - v62)))
     )
     angle1___________________ = (
-        _atan2(math.sqrt(v61), -(v6 * v48 + (s2_mp * (v68 + (s1_mp * v67 - v123)) + v29 * (v65 +
-        (v124 - s1_mp * v64)))))
+        _atan2(math.sqrt(v55), -(v6 * v48 + (s2_mp * (v62 + (s1_mp * v61 - v14 * v60)) + v31 * (v59
+        + (v14 * v57 - s1_mp * v58)))))
     )
     angle1____________________ = (
-        _atan2(math.sqrt(v62), v6 * v49 - (s2_mm * (v68 + (c1_mm * v66 - v121)) + v30 * (v65 + (v122
-        - c1_mm * v63))))
+        _atan2(math.sqrt(v56), -(v6 * v49 + (s2_mm * (v62 + (s1_mm * v61 - v15 * v60)) + v32 * (v59
+        + (v15 * v57 - s1_mm * v58)))))
     )
-    v125 = angle1_________________ - offset6
-    v126 = offset6 + angle1_________________
-    v127 = angle1__________________ - offset6
-    v128 = offset6 + angle1__________________
-    v129 = angle1___________________ - offset6
-    v130 = offset6 + angle1___________________
-    v131 = angle1____________________ - offset6
-    v132 = offset6 + angle1____________________
-    q6_ppp = v125 + (m4 if v125 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v126 <= -half_turn else 0.0) - v126
-    q6_pmp = v127 + (m4 if v127 <= -half_turn else 0.0)
-    q6_pmm = (m4 if -v128 <= -half_turn else 0.0) - v128
-    q6_mpp = v129 + (m4 if v129 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v130 <= -half_turn else 0.0) - v130
-    q6_mmp = v131 + (m4 if v131 <= -half_turn else 0.0)
-    q6_mmm = (m4 if -v132 <= -half_turn else 0.0) - v132
-    v133 = q_free[0] < low3 or high3 < q_free[0]
-    v134 = q4__p < low4 or high4 < q4__p
-    v135 = q4__m < low4 or high4 < q4__m
+    v98 = angle1_________________ - offset6
+    v99 = offset6 + angle1_________________
+    v100 = angle1__________________ - offset6
+    v101 = offset6 + angle1__________________
+    v102 = angle1___________________ - offset6
+    v103 = offset6 + angle1___________________
+    v104 = angle1____________________ - offset6
+    v105 = offset6 + angle1____________________
+    q6_ppp = v98 + (m4 if v98 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v99 <= -half_turn else 0.0) - v99
+    q6_pmp = v100 + (m4 if v100 <= -half_turn else 0.0)
+    q6_pmm = (m4 if -v101 <= -half_turn else 0.0) - v101
+    q6_mpp = v102 + (m4 if v102 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v103 <= -half_turn else 0.0) - v103
+    q6_mmp = v104 + (m4 if v104 <= -half_turn else 0.0)
+    q6_mmm = (m4 if -v105 <= -half_turn else 0.0) - v105
+    v106 = q_free[0] < low3 or high3 < q_free[0]
+    v107 = q4__p < low4 or high4 < q4__p
+    v108 = q4__m < low4 or high4 < q4__m
     q3_ppp = v8 + (q_free[0] + (w4 - w4))
     q4_ppp = v8 + q4__p
     q4_mpp = v8 + q4__m
-    v136 = v134 or (v133 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
-    v137 = v134 or (v133 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
-    v138 = v135 or (v133 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
-    v139 = v135 or (v133 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    v109 = v107 or (v106 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
+    v110 = v107 or (v106 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
+    v111 = v108 or (v106 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
+    v112 = v108 or (v106 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
     outside_ppp = (
-        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v136 or
+        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v109 or
         (angle1 < low5 or high5 < angle1)))
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v136 or (q5_ppm <
+        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v109 or (q5_ppm <
         low5 or high5 < q5_ppm)))
     )
     outside_pmp = (
-        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v137 or
+        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v110 or
         (angle1_ < low5 or high5 < angle1_)))
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v137 or (q5_pmm <
+        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v110 or (q5_pmm <
         low5 or high5 < q5_pmm)))
     )
     outside_mpp = (
-        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v138 or
+        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v111 or
         (angle1__ < low5 or high5 < angle1__)))
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v138 or (q5_mpm <
+        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v111 or (q5_mpm <
         low5 or high5 < q5_mpm)))
     )
     outside_mmp = (
-        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v139
+        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v112
         or (angle1___ < low5 or high5 < angle1___)))
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v139 or (q5_mmm <
+        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v112 or (q5_mmm <
         low5 or high5 < q5_mmm)))
     )
-    v140 = v26 <= m1
-    doubt = (
-        v27 <= m1 or v62 <= m2 or (v140 or v61 <= m2 or (v140 or v60 <= m2 or (-(reach_slack1 *
-        (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v7) < D1)) or
-        (free1 or -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2
-        + v2) < D4)) or (v25 <= m1 or v59 <= m2))))
+    doubt1 = (
+        -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 + v2) <
+        D4) or (free1 or (v56 <= m2 or (v29 <= m1 or (v55 <= m2 or (v54 <= m2 or (v28 <= m1 or (v53
+        <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
+        (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1130,16 +1122,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3872, 3904, 3936, 3968, 4000, 4032, 4064],
-    [3872, 3904, 3936, 3968, 4096, 4128, 4160],
-    [4192, 4224, 3936, 3968, 4256, 4288, 4320],
-    [4192, 4224, 3936, 3968, 4352, 4384, 4416],
-    [4448, 4480, 3936, 4512, 4544, 4576, 4608],
-    [4448, 4480, 3936, 4512, 4640, 4672, 4704],
-    [4736, 4768, 3936, 4512, 4800, 4832, 4864],
-    [4736, 4768, 3936, 4512, 4896, 4928, 4960],
+    [3904, 3936, 3968, 4000, 4032, 4064, 4096],
+    [3904, 3936, 3968, 4000, 4128, 4160, 4192],
+    [4224, 4256, 3968, 4000, 4288, 4320, 4352],
+    [4224, 4256, 3968, 4000, 4384, 4416, 4448],
+    [4480, 4512, 3968, 4544, 4576, 4608, 4640],
+    [4480, 4512, 3968, 4544, 4672, 4704, 4736],
+    [4768, 4800, 3968, 4544, 4832, 4864, 4896],
+    [4768, 4800, 3968, 4544, 4928, 4960, 4992],
 ])
-_KINDS = np.array([4992, 5024, 5056, 5088, 5120, 5152, 5184, 5216])
+_KINDS = np.array([5024, 5056, 5088, 5120, 5152, 5184, 5216, 5248])
 _LEFT_OVER = 255
 
 
@@ -1150,7 +1142,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5248)
+    work = np.empty(5280)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1206,20 +1198,20 @@ def _in_tiles(T, q_free, q, status):
             inverse1 = 1.0 / N1
             X2_2 = d3 + d5 * v4
             Z1_2 = wz - d1
-            v20 = X2_2 * Z1_2
-            v35 = T33 * v6
-            v36 = T13 * v6
-            v37 = T23 * v6
-            v65 = T33 * v4
-            v66 = T13 * v4
-            v67 = T23 * v4
-            v78 = v6 * T32
-            v79 = v6 * T12
-            v80 = v6 * T22
-            v91 = v6 * T31
-            v92 = v6 * T11
-            v93 = v6 * T21
-            v133 = given1 < low3 or high3 < given1
+            v22 = X2_2 * Z1_2
+            v37 = T33 * v6
+            v38 = T13 * v6
+            v39 = T23 * v6
+            v59 = T33 * v4
+            v60 = T13 * v4
+            v61 = T23 * v4
+            v70 = v6 * T32
+            v71 = v6 * T12
+            v72 = v6 * T22
+            v81 = v6 * T31
+            v82 = v6 * T11
+            v83 = v6 * T21
+            v106 = given1 < low3 or high3 < given1
             work[576 + k] = wx
             work[608 + k] = wy
             work[640 + k] = D4
@@ -1232,20 +1224,20 @@ def _in_tiles(T, q_free, q, status):
             work[864 + k] = inverse1
             work[896 + k] = X2_2
             work[928 + k] = Z1_2
-            work[960 + k] = v20
-            work[992 + k] = v35
-            work[1024 + k] = v36
-            work[1056 + k] = v37
-            work[1088 + k] = v65
-            work[1120 + k] = v66
-            work[1152 + k] = v67
-            work[1184 + k] = v78
-            work[1216 + k] = v79
-            work[1248 + k] = v80
-            work[1280 + k] = v91
-            work[1312 + k] = v92
-            work[1344 + k] = v93
-            work[1376 + k] = v133
+            work[960 + k] = v22
+            work[992 + k] = v37
+            work[1024 + k] = v38
+            work[1056 + k] = v39
+            work[1088 + k] = v59
+            work[1120 + k] = v60
+            work[1152 + k] = v61
+            work[1184 + k] = v70
+            work[1216 + k] = v71
+            work[1248 + k] = v72
+            work[1280 + k] = v81
+            work[1312 + k] = v82
+            work[1344 + k] = v83
+            work[1376 + k] = v106
             work[1408 + k] = given1
             work[1440 + k] = given1
             work[1472 + k] = -v5
@@ -1279,19 +1271,19 @@ def _in_tiles(T, q_free, q, status):
             inverse1 = work[864 + k]
             X2_2 = work[896 + k]
             Z1_2 = work[928 + k]
-            v20 = work[960 + k]
-            v35 = work[992 + k]
-            v36 = work[1024 + k]
-            v37 = work[1056 + k]
-            v65 = work[1088 + k]
-            v66 = work[1120 + k]
-            v67 = work[1152 + k]
-            v78 = work[1184 + k]
-            v79 = work[1216 + k]
-            v80 = work[1248 + k]
-            v91 = work[1280 + k]
-            v92 = work[1312 + k]
-            v93 = work[1344 + k]
+            v22 = work[960 + k]
+            v37 = work[992 + k]
+            v38 = work[1024 + k]
+            v39 = work[1056 + k]
+            v59 = work[1088 + k]
+            v60 = work[1120 + k]
+            v61 = work[1152 + k]
+            v70 = work[1184 + k]
+            v71 = work[1216 + k]
+            v72 = work[1248 + k]
+            v81 = work[1280 + k]
+            v82 = work[1312 + k]
+            v83 = work[1344 + k]
             s3 = work[1408 + k]
             c3 = work[1440 + k]
             angle1________________ = work[1472 + k]
@@ -1302,511 +1294,503 @@ def _in_tiles(T, q_free, q, status):
             v8 = w1 - w1
             v9 = Z1 * -wx
             v10 = wy * Z1
-            v11 = -wx * w1
-            v12 = v10 - v11
-            v13 = v10 + v11
-            c1_pp = inverse1 * v12
-            c1_pm = inverse1 * v13
-            c1_mm = inverse1 * -v12
-            v14 = wy * w1
-            v15 = v9 + v14
-            v16 = v9 - v14
-            s1_pp = inverse1 * v15
-            s1_pm = inverse1 * v16
-            s1_mp = inverse1 * -v16
-            v17 = d5 * (c3 * v6)
-            v18 = v17 * Z1_2
-            v19 = w1 * X2_2
-            S2_pp = v19 - v18
-            S2_mp = v18 + v19
-            v21 = w1 * v17
-            v22 = v20 + v21
-            v23 = v20 - v21
-            v24 = v22 * v22
-            v25 = S2_pp * S2_pp + v24
-            v26 = S2_mp * S2_mp + v23 * v23
-            v27 = v24 + -S2_pp * -S2_pp
-            factor2_pp = 1.0 / math.sqrt(v25)
-            factor2_pm = 1.0 / math.sqrt(v26)
-            factor2_mm = 1.0 / math.sqrt(v27)
-            v28 = v22 * factor2_pp
-            v29 = v23 * factor2_pm
-            v30 = v22 * factor2_mm
+            v11 = w1 * (-wx * inverse1)
+            v12 = w1 * (wx * inverse1)
+            v13 = inverse1 * v10
+            c1_pp = v13 - v11
+            c1_pm = v13 - v12
+            v14 = v11 + v13
+            v15 = v12 + v13
+            v16 = w1 * (wy * inverse1)
+            v17 = w1 * (inverse1 * -wy)
+            v18 = inverse1 * v9
+            s1_pp = v16 + v18
+            s1_pm = v17 + v18
+            s1_mp = v16 - v18
+            s1_mm = v17 - v18
+            v19 = d5 * (c3 * v6)
+            v20 = v19 * Z1_2
+            v21 = w1 * X2_2
+            S2_pp = v21 - v20
+            S2_mp = v20 + v21
+            v23 = w1 * v19
+            v24 = v22 + v23
+            v25 = v22 - v23
+            v26 = v24 * v24
+            v27 = S2_pp * S2_pp + v26
+            v28 = S2_mp * S2_mp + v25 * v25
+            v29 = v26 + -S2_pp * -S2_pp
+            factor2_pp = 1.0 / math.sqrt(v27)
+            factor2_pm = 1.0 / math.sqrt(v28)
+            factor2_mm = 1.0 / math.sqrt(v29)
+            v30 = v24 * factor2_pp
+            v31 = v25 * factor2_pm
+            v32 = v24 * factor2_mm
             s2_pp = S2_pp * factor2_pp
             s2_mp = S2_mp * factor2_pm
             s2_mm = -S2_pp * factor2_mm
-            v31 = c3 * T13
-            v32 = v4 * v31
-            v33 = c3 * T23
+            v33 = c3 * T13
             v34 = v4 * v33
-            v38 = c3 * T33
-            v39 = v4 * v38
-            v40 = T13 * s1_pp
-            v41 = v40 - T23 * c1_pp
-            v42 = T23 * c1_pm
-            v43 = T13 * s1_pm - v42
-            v44 = v42 + T13 * s1_mp
-            v45 = v40 + T23 * c1_mm
-            v46 = s3 * v41
-            v47 = s3 * v43
-            v48 = s3 * v44
-            v49 = s3 * v45
-            v50 = s1_pp * v34
-            v51 = s1_pp * v37
+            v35 = c3 * T23
+            v36 = v4 * v35
+            v40 = c3 * T33
+            v41 = v4 * v40
+            v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+            v43 = T13 * v9 - T23 * v10
+            v44 = inverse1 * (s3 * v43)
+            v45 = inverse1 * (s3 * -v43)
+            v46 = v42 + v44
+            v47 = v44 - v42
+            v48 = v42 + v45
+            v49 = v45 - v42
             X5_pp = (
-                v4 * v46 + (v28 * (v35 - (c1_pp * v32 + v50)) + s2_pp * (v39 + (c1_pp * v36 + v51)))
+                v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp * v38
+                + s1_pp * v39)))
             )
-            v52 = c1_pm * v32
-            v53 = c1_pm * v36
             X5_pm = (
-                v4 * v47 + (v29 * (v35 - (v52 + s1_pm * v34)) - s2_mp * (v39 + (v53 + s1_pm * v37)))
+                v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm * v38
+                + s1_pm * v39)))
             )
             X5_mp = (
-                v4 * v48 + (s2_mp * (v39 + (v53 - s1_mp * v37)) - v29 * (v35 + (s1_mp * v34 - v52)))
+                v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp * v36 -
+                v14 * v34)))
             )
             X5_mm = (
-                s2_mm * (v39 + (v51 - c1_mm * v36)) - v30 * (v35 + (c1_mm * v32 - v50)) - v4 * v49
+                v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm * v36 -
+                v15 * v34)))
             )
-            v54 = s3 * T33
-            v55 = T23 * s1_pp
-            Y5_pp = s2_pp * v54 - v28 * (s3 * (T13 * c1_pp + v55)) - c3 * v41
-            v56 = s2_mp * v54
-            v57 = T13 * c1_pm
-            v58 = v56 + v29 * (s3 * (v57 + T23 * s1_pm)) + c3 * v43
-            Y5_mp = v56 - v29 * (s3 * (T23 * s1_mp - v57)) - c3 * v44
-            Y5_mm = s2_mm * v54 - v30 * (s3 * (T13 * c1_mm - v55)) + c3 * v45
-            v59 = X5_pp * X5_pp + Y5_pp * Y5_pp
-            v60 = X5_pm * X5_pm + v58 * v58
-            v61 = X5_mp * X5_mp + Y5_mp * Y5_mp
-            v62 = X5_mm * X5_mm + Y5_mm * Y5_mm
-            v63 = v6 * v31
-            v64 = v6 * v33
-            v68 = v6 * v38
-            v69 = s3 * T32
-            v70 = s1_pp * T12
-            v71 = v70 - c1_pp * T22
-            v72 = c1_pm * T22
-            v73 = s1_pm * T12 - v72
-            v74 = v72 + s1_mp * T12
-            v75 = v70 + c1_mm * T22
-            v76 = v4 * (c3 * T12)
-            v77 = v4 * (c3 * T22)
-            v81 = v4 * (c3 * T32)
-            v82 = s3 * T31
-            v83 = s1_pp * T11
-            v84 = v83 - c1_pp * T21
-            v85 = c1_pm * T21
-            v86 = s1_pm * T11 - v85
-            v87 = v85 + s1_mp * T11
-            v88 = v83 + c1_mm * T21
-            v89 = v4 * (c3 * T11)
-            v90 = v4 * (c3 * T21)
-            v94 = v4 * (c3 * T31)
-            v95 = s1_pp * T21
-            v96 = s1_pp * v90
-            v97 = s1_pp * v93
-            v98 = s1_pp * T22
-            v99 = s1_pp * v77
-            v100 = s1_pp * v80
-            v101 = s2_mp * v82
-            v102 = c1_pm * T11
-            v103 = c1_pm * v89
-            v104 = c1_pm * v92
-            v105 = (
-                v58 * (v29 * (v91 - (v103 + s1_pm * v90)) - s2_mp * (v94 + (v104 + s1_pm * v93)) +
-                v4 * (s3 * v86)) - X5_pm * (c3 * v86 + (v101 + v29 * (s3 * (v102 + s1_pm * T21))))
+            v50 = s3 * T33
+            Y5_pp = (
+                s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp - T23 *
+                c1_pp)
             )
-            v106 = s2_mp * v69
-            v107 = c1_pm * T12
-            v108 = c1_pm * v76
-            v109 = c1_pm * v79
-            v110 = (
-                X5_mm * (c3 * v88 + (s2_mm * v82 - v30 * (s3 * (c1_mm * T11 - v95)))) - Y5_mm *
-                (s2_mm * (v94 + (v97 - c1_mm * v92)) - v30 * (v91 + (c1_mm * v89 - v96)) - v4 * (s3
-                * v88))
+            v51 = s2_mp * v50
+            v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 * c1_pm)
+            Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 * v14)
+            Y5_mm = (
+                s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm + T23 *
+                v15)
             )
-            v119 = angle1________________ - offset4
-            v120 = offset4 + angle1________________
-            q4__p = v119 + (m4 if v119 <= -half_turn else 0.0)
-            q4__m = (m4 if -v120 <= -half_turn else 0.0) - v120
-            v121 = s1_pp * v67
-            v122 = s1_pp * v64
-            v123 = c1_pm * v66
-            v124 = c1_pm * v63
-            v134 = q4__p < low4 or high4 < q4__p
-            v135 = q4__m < low4 or high4 < q4__m
+            v53 = X5_pp * X5_pp + Y5_pp * Y5_pp
+            v54 = X5_pm * X5_pm + v52 * v52
+            v55 = X5_mp * X5_mp + Y5_mp * Y5_mp
+            v56 = X5_mm * X5_mm + Y5_mm * Y5_mm
+            v57 = v6 * v33
+            v58 = v6 * v35
+            v62 = v6 * v40
+            v63 = s3 * T32
+            v64 = s1_pp * T12 - c1_pp * T22
+            v65 = s1_pm * T12 - c1_pm * T22
+            v66 = s1_mp * T12 + v14 * T22
+            v67 = s1_mm * T12 + v15 * T22
+            v68 = v4 * (c3 * T12)
+            v69 = v4 * (c3 * T22)
+            v73 = v4 * (c3 * T32)
+            v74 = s3 * T31
+            v75 = s1_pp * T11 - c1_pp * T21
+            v76 = s1_pm * T11 - c1_pm * T21
+            v77 = s1_mp * T11 + v14 * T21
+            v78 = s1_mm * T11 + v15 * T21
+            v79 = v4 * (c3 * T11)
+            v80 = v4 * (c3 * T21)
+            v84 = v4 * (c3 * T31)
+            v85 = s2_mp * v74
+            v86 = (
+                v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82 +
+                s1_pm * v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm *
+                T11 + s1_pm * T21))))
+            )
+            v87 = s2_mp * v63
+            v96 = angle1________________ - offset4
+            v97 = offset4 + angle1________________
+            q4__p = v96 + (m4 if v96 <= -half_turn else 0.0)
+            q4__m = (m4 if -v97 <= -half_turn else 0.0) - v97
+            v107 = q4__p < low4 or high4 < q4__p
+            v108 = q4__m < low4 or high4 < q4__m
             q3_ppp = v8 + (given1 + (w4 - w4))
             q4_ppp = v8 + q4__p
             q4_mpp = v8 + q4__m
-            v140 = v26 <= m1
-            doubt = (
-                v27 <= m1 or v62 <= m2 or (v140 or v61 <= m2 or (v140 or v60 <= m2 or
-                (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
-                (merge_slack1 + v7) < D1)) or (free1 or -(reach_slack2 * (reach_slack2 + v2)) <= D4
-                and not (merge_slack2 * (merge_slack2 + v2) < D4)) or (v25 <= m1 or v59 <= m2))))
+            doubt1 = (
+                -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 +
+                v2) < D4) or (free1 or (v56 <= m2 or (v29 <= m1 or (v55 <= m2 or (v54 <= m2 or (v28
+                <= m1 or (v53 <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or
+                not (merge_slack1 * (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
             )
             work[1536 + k] = c1_pp
-            work[1568 + k] = s1_mp
-            work[1600 + k] = v28
-            work[1632 + k] = v29
-            work[1664 + k] = s2_pp
-            work[1696 + k] = s2_mp
-            work[1728 + k] = X5_pp
-            work[1760 + k] = X5_mp
-            work[1792 + k] = Y5_pp
-            work[1824 + k] = v58
-            work[1856 + k] = Y5_mp
-            work[1888 + k] = Y5_mm
-            work[1920 + k] = v82
-            work[1952 + k] = v84
-            work[1984 + k] = v87
-            work[2016 + k] = v89
-            work[2048 + k] = v90
-            work[2080 + k] = v94
-            work[2112 + k] = v95
-            work[2144 + k] = v96
-            work[2176 + k] = v97
-            work[2208 + k] = v101
-            work[2240 + k] = v102
-            work[2272 + k] = v103
-            work[2304 + k] = v104
-            work[2336 + k] = v105
-            work[2368 + k] = v110
-            work[2400 + k] = v134
-            work[2432 + k] = v135
-            work[2464 + k] = q3_ppp
-            work[2496 + k] = q4_ppp
-            work[2528 + k] = q4_mpp
-            work[2560 + k] = doubt
-            work[2592 + k] = Y5_pp
-            work[2624 + k] = -v58
-            work[2656 + k] = Y5_mp
-            work[2688 + k] = Y5_mm
-            work[2720 + k] = (
-                -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28 * (s3 * (c1_pp * T11 + v95)))) + Y5_pp *
-                (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp * (v94 + (c1_pp * v92 + v97)) + v4 * (s3
-                * v84)))
+            work[1568 + k] = v14
+            work[1600 + k] = v15
+            work[1632 + k] = s1_pp
+            work[1664 + k] = s1_mp
+            work[1696 + k] = s1_mm
+            work[1728 + k] = v30
+            work[1760 + k] = v31
+            work[1792 + k] = v32
+            work[1824 + k] = s2_pp
+            work[1856 + k] = s2_mp
+            work[1888 + k] = s2_mm
+            work[1920 + k] = X5_pp
+            work[1952 + k] = X5_mp
+            work[1984 + k] = X5_mm
+            work[2016 + k] = Y5_pp
+            work[2048 + k] = v52
+            work[2080 + k] = Y5_mp
+            work[2112 + k] = Y5_mm
+            work[2144 + k] = v74
+            work[2176 + k] = v75
+            work[2208 + k] = v77
+            work[2240 + k] = v78
+            work[2272 + k] = v79
+            work[2304 + k] = v80
+            work[2336 + k] = v84
+            work[2368 + k] = v85
+            work[2400 + k] = v86
+            work[2432 + k] = v107
+            work[2464 + k] = v108
+            work[2496 + k] = q3_ppp
+            work[2528 + k] = q4_ppp
+            work[2560 + k] = q4_mpp
+            work[2592 + k] = doubt1
+            work[2624 + k] = Y5_pp
+            work[2656 + k] = -v52
+            work[2688 + k] = Y5_mp
+            work[2720 + k] = Y5_mm
+            work[2752 + k] = (
+                -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) +
+                Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 +
+                s1_pp * v83)) + v4 * (s3 * v75)))
             )
-            work[2752 + k] = v105
-            work[2784 + k] = (
-                -(X5_mp * (c3 * v87 - (v101 - v29 * (s3 * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp *
-                (v94 + (v104 - s1_mp * v93)) - v29 * (v91 + (s1_mp * v90 - v103)) + v4 * (s3 *
-                v87)))
+            work[2784 + k] = v86
+            work[2816 + k] = (
+                -(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
+                (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79))
+                + v4 * (s3 * v77)))
             )
-            work[2816 + k] = v110
-            work[2848 + k] = v15
-            work[2880 + k] = v16
-            work[2912 + k] = -v16
-            work[2944 + k] = -v15
-            work[2976 + k] = S2_pp
-            work[3008 + k] = -S2_mp
-            work[3040 + k] = S2_mp
-            work[3072 + k] = -S2_pp
-            work[3104 + k] = math.sqrt(v59)
-            work[3136 + k] = math.sqrt(v60)
-            work[3168 + k] = math.sqrt(v61)
-            work[3200 + k] = math.sqrt(v62)
-            work[3232 + k] = -X5_pp
-            work[3264 + k] = -X5_pm
-            work[3296 + k] = -X5_mp
-            work[3328 + k] = -X5_mm
-            work[3360 + k] = (
-                -(X5_pp * (c3 * v71 - (s2_pp * v69 - v28 * (s3 * (c1_pp * T12 + v98)))) + Y5_pp *
-                (v28 * (v78 - (c1_pp * v76 + v99)) + s2_pp * (v81 + (c1_pp * v79 + v100)) + v4 * (s3
-                * v71)))
+            work[2848 + k] = (
+                -(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) +
+                Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15
+                * v79)) + v4 * (s3 * v78)))
             )
+            work[2880 + k] = s1_pp
+            work[2912 + k] = s1_pm
+            work[2944 + k] = s1_mp
+            work[2976 + k] = s1_mm
+            work[3008 + k] = S2_pp
+            work[3040 + k] = -S2_mp
+            work[3072 + k] = S2_mp
+            work[3104 + k] = -S2_pp
+            work[3136 + k] = math.sqrt(v53)
+            work[3168 + k] = math.sqrt(v54)
+            work[3200 + k] = math.sqrt(v55)
+            work[3232 + k] = math.sqrt(v56)
+            work[3264 + k] = -X5_pp
+            work[3296 + k] = -X5_pm
+            work[3328 + k] = -X5_mp
+            work[3360 + k] = -X5_mm
             work[3392 + k] = (
-                v58 * (v29 * (v78 - (v108 + s1_pm * v77)) - s2_mp * (v81 + (v109 + s1_pm * v80)) +
-                v4 * (s3 * v73)) - X5_pm * (c3 * v73 + (v106 + v29 * (s3 * (v107 + s1_pm * T22))))
+                -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 * (s3 * (c1_pp * T12 + s1_pp * T22)))) +
+                Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) + s2_pp * (v73 + (c1_pp * v71 +
+                s1_pp * v72)) + v4 * (s3 * v64)))
             )
             work[3424 + k] = (
-                -(X5_mp * (c3 * v74 - (v106 - v29 * (s3 * (s1_mp * T22 - v107)))) + Y5_mp * (s2_mp *
-                (v81 + (v109 - s1_mp * v80)) - v29 * (v78 + (s1_mp * v77 - v108)) + v4 * (s3 *
-                v74)))
+                v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) - s2_mp * (v73 + (c1_pm * v71 +
+                s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 + v31 * (s3 * (c1_pm *
+                T12 + s1_pm * T22))))
             )
             work[3456 + k] = (
-                X5_mm * (c3 * v75 + (s2_mm * v69 - v30 * (s3 * (c1_mm * T12 - v98)))) - Y5_mm *
-                (s2_mm * (v81 + (v100 - c1_mm * v79)) - v30 * (v78 + (c1_mm * v76 - v99)) - v4 * (s3
-                * v75))
+                -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp *
+                (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 - v14 * v68))
+                + v4 * (s3 * v66)))
             )
-            work[3488 + k] = v12
-            work[3520 + k] = v13
-            work[3552 + k] = -v13
-            work[3584 + k] = -v12
-            work[3616 + k] = -v22
-            work[3648 + k] = -v23
-            work[3680 + k] = -v23
-            work[3712 + k] = -v22
-            work[3744 + k] = (
-                v6 * v46 - (s2_pp * (c1_pp * v66 + v121 - v68) + v28 * (v65 + (c1_pp * v63 + v122)))
+            work[3488 + k] = (
+                -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 * (s3 * (s1_mm * T22 - v15 * T12)))) +
+                Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) - v32 * (v70 + (s1_mm * v69 - v15
+                * v68)) + v4 * (s3 * v67)))
             )
+            work[3520 + k] = c1_pp
+            work[3552 + k] = c1_pm
+            work[3584 + k] = -v14
+            work[3616 + k] = -v15
+            work[3648 + k] = -v24
+            work[3680 + k] = -v25
+            work[3712 + k] = -v25
+            work[3744 + k] = -v24
             work[3776 + k] = (
-                v6 * v47 - (v29 * (v65 + (v124 + s1_pm * v64)) - s2_mp * (v123 + s1_pm * v67 - v68))
+                v6 * v46 - (s2_pp * (c1_pp * v60 + s1_pp * v61 - v62) + v30 * (v59 + (c1_pp * v57 +
+                s1_pp * v58)))
             )
             work[3808 + k] = (
-                -(v6 * v48 + (s2_mp * (v68 + (s1_mp * v67 - v123)) + v29 * (v65 + (v124 - s1_mp *
-                v64))))
+                v6 * v47 - (v31 * (v59 + (c1_pm * v57 + s1_pm * v58)) - s2_mp * (c1_pm * v60 + s1_pm
+                * v61 - v62))
             )
             work[3840 + k] = (
-                v6 * v49 - (s2_mm * (v68 + (c1_mm * v66 - v121)) + v30 * (v65 + (v122 - c1_mm *
-                v63)))
+                -(v6 * v48 + (s2_mp * (v62 + (s1_mp * v61 - v14 * v60)) + v31 * (v59 + (v14 * v57 -
+                s1_mp * v58))))
             )
-        for k in range(2592, 3232):
+            work[3872 + k] = (
+                -(v6 * v49 + (s2_mm * (v62 + (s1_mm * v61 - v15 * v60)) + v32 * (v59 + (v15 * v57 -
+                s1_mm * v58))))
+            )
+        for k in range(2624, 3264):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             T11 = work[0 + k]
             T21 = work[128 + k]
             v4 = work[736 + k]
-            v91 = work[1280 + k]
-            v92 = work[1312 + k]
-            v93 = work[1344 + k]
-            v133 = work[1376 + k] != 0.0
+            v81 = work[1280 + k]
+            v82 = work[1312 + k]
+            v83 = work[1344 + k]
+            v106 = work[1376 + k] != 0.0
             s3 = work[1408 + k]
             c3 = work[1440 + k]
             c1_pp = work[1536 + k]
-            s1_mp = work[1568 + k]
-            v28 = work[1600 + k]
-            v29 = work[1632 + k]
-            s2_pp = work[1664 + k]
-            s2_mp = work[1696 + k]
-            X5_pp = work[1728 + k]
-            X5_mp = work[1760 + k]
-            Y5_pp = work[1792 + k]
-            v58 = work[1824 + k]
-            Y5_mp = work[1856 + k]
-            Y5_mm = work[1888 + k]
-            v82 = work[1920 + k]
-            v84 = work[1952 + k]
-            v87 = work[1984 + k]
-            v89 = work[2016 + k]
-            v90 = work[2048 + k]
-            v94 = work[2080 + k]
-            v95 = work[2112 + k]
-            v96 = work[2144 + k]
-            v97 = work[2176 + k]
-            v101 = work[2208 + k]
-            v102 = work[2240 + k]
-            v103 = work[2272 + k]
-            v104 = work[2304 + k]
-            v105 = work[2336 + k]
-            v110 = work[2368 + k]
-            v134 = work[2400 + k] != 0.0
-            v135 = work[2432 + k] != 0.0
-            q3_ppp = work[2464 + k]
-            q4_ppp = work[2496 + k]
-            q4_mpp = work[2528 + k]
-            doubt = work[2560 + k] != 0.0
-            angle1 = work[2592 + k]
-            angle1_ = work[2624 + k]
-            angle1__ = work[2656 + k]
-            angle1___ = work[2688 + k]
-            angle1____ = work[2720 + k]
-            angle1_____ = work[2752 + k]
-            angle1______ = work[2784 + k]
-            angle1_______ = work[2816 + k]
-            angle1________ = work[2848 + k]
-            angle1_________ = work[2880 + k]
-            angle1__________ = work[2912 + k]
-            angle1___________ = work[2944 + k]
-            angle1____________ = work[2976 + k]
-            angle1_____________ = work[3008 + k]
-            angle1______________ = work[3040 + k]
-            angle1_______________ = work[3072 + k]
-            angle1_________________ = work[3104 + k]
-            angle1__________________ = work[3136 + k]
-            angle1___________________ = work[3168 + k]
-            angle1____________________ = work[3200 + k]
+            v14 = work[1568 + k]
+            v15 = work[1600 + k]
+            s1_pp = work[1632 + k]
+            s1_mp = work[1664 + k]
+            s1_mm = work[1696 + k]
+            v30 = work[1728 + k]
+            v31 = work[1760 + k]
+            v32 = work[1792 + k]
+            s2_pp = work[1824 + k]
+            s2_mp = work[1856 + k]
+            s2_mm = work[1888 + k]
+            X5_pp = work[1920 + k]
+            X5_mp = work[1952 + k]
+            X5_mm = work[1984 + k]
+            Y5_pp = work[2016 + k]
+            v52 = work[2048 + k]
+            Y5_mp = work[2080 + k]
+            Y5_mm = work[2112 + k]
+            v74 = work[2144 + k]
+            v75 = work[2176 + k]
+            v77 = work[2208 + k]
+            v78 = work[2240 + k]
+            v79 = work[2272 + k]
+            v80 = work[2304 + k]
+            v84 = work[2336 + k]
+            v85 = work[2368 + k]
+            v86 = work[2400 + k]
+            v107 = work[2432 + k] != 0.0
+            v108 = work[2464 + k] != 0.0
+            q3_ppp = work[2496 + k]
+            q4_ppp = work[2528 + k]
+            q4_mpp = work[2560 + k]
+            doubt1 = work[2592 + k] != 0.0
+            angle1 = work[2624 + k]
+            angle1_ = work[2656 + k]
+            angle1__ = work[2688 + k]
+            angle1___ = work[2720 + k]
+            angle1____ = work[2752 + k]
+            angle1_____ = work[2784 + k]
+            angle1______ = work[2816 + k]
+            angle1_______ = work[2848 + k]
+            angle1________ = work[2880 + k]
+            angle1_________ = work[2912 + k]
+            angle1__________ = work[2944 + k]
+            angle1___________ = work[2976 + k]
+            angle1____________ = work[3008 + k]
+            angle1_____________ = work[3040 + k]
+            angle1______________ = work[3072 + k]
+            angle1_______________ = work[3104 + k]
+            angle1_________________ = work[3136 + k]
+            angle1__________________ = work[3168 + k]
+            angle1___________________ = work[3200 + k]
+            angle1____________________ = work[3232 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle1_ - math.copysign(half_turn, -v58) * h1
+            q5_pmm = angle1_ - math.copysign(half_turn, -v52) * h1
             q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
             q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
             q7_ppm = (
-                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v84 - (s2_pp * v82 - v28
-                * (s3 * (c1_pp * T11 + v95)))) + Y5_pp * (v28 * (v91 - (c1_pp * v89 + v96)) + s2_pp
-                * (v94 + (c1_pp * v92 + v97)) + v4 * (s3 * v84))))
+                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30
+                * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp
+                * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))))
             )
-            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v105)
+            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v86)
             q7_mpm = (
-                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v87 - (v101 - v29 * (s3
-                * (s1_mp * T21 - v102)))) + Y5_mp * (s2_mp * (v94 + (v104 - s1_mp * v93)) - v29 *
-                (v91 + (s1_mp * v90 - v103)) + v4 * (s3 * v87))))
+                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v77 - (v85 - v31 * (s3
+                * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83))
+                - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))))
             )
-            q7_mmm = angle1_______ - h1 * math.copysign(half_turn, v110)
-            v111 = angle1________ - offset1
-            v112 = angle1_________ - offset1
-            v113 = angle1__________ - offset1
-            v114 = angle1___________ - offset1
-            q1_ppp = v111 + (m4 if v111 <= -half_turn else 0.0)
-            q1_pmp = v112 + (m4 if v112 <= -half_turn else 0.0)
-            q1_mpp = v113 + (m4 if v113 <= -half_turn else 0.0)
-            q1_mmp = v114 + (m4 if v114 <= -half_turn else 0.0)
-            v115 = angle1____________ - offset2
-            v116 = angle1_____________ - offset2
-            v117 = angle1______________ - offset2
-            v118 = angle1_______________ - offset2
-            q2_ppp = v115 + (m4 if v115 <= -half_turn else 0.0)
-            q2_pmp = v116 + (m4 if v116 <= -half_turn else 0.0)
-            q2_mpp = v117 + (m4 if v117 <= -half_turn else 0.0)
-            q2_mmp = v118 + (m4 if v118 <= -half_turn else 0.0)
-            v125 = angle1_________________ - offset6
-            v126 = offset6 + angle1_________________
-            v127 = angle1__________________ - offset6
-            v128 = offset6 + angle1__________________
-            v129 = angle1___________________ - offset6
-            v130 = offset6 + angle1___________________
-            v131 = angle1____________________ - offset6
-            v132 = offset6 + angle1____________________
-            q6_ppp = v125 + (m4 if v125 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v126 <= -half_turn else 0.0) - v126
-            q6_pmp = v127 + (m4 if v127 <= -half_turn else 0.0)
-            q6_pmm = (m4 if -v128 <= -half_turn else 0.0) - v128
-            q6_mpp = v129 + (m4 if v129 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v130 <= -half_turn else 0.0) - v130
-            q6_mmp = v131 + (m4 if v131 <= -half_turn else 0.0)
-            q6_mmm = (m4 if -v132 <= -half_turn else 0.0) - v132
-            v136 = (
-                v134 or (v133 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
+            q7_mmm = (
+                angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v78 - (s2_mm * v74 -
+                v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 -
+                s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))))
+            )
+            v88 = angle1________ - offset1
+            v89 = angle1_________ - offset1
+            v90 = angle1__________ - offset1
+            v91 = angle1___________ - offset1
+            q1_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
+            q1_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q1_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            q1_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
+            v92 = angle1____________ - offset2
+            v93 = angle1_____________ - offset2
+            v94 = angle1______________ - offset2
+            v95 = angle1_______________ - offset2
+            q2_ppp = v92 + (m4 if v92 <= -half_turn else 0.0)
+            q2_pmp = v93 + (m4 if v93 <= -half_turn else 0.0)
+            q2_mpp = v94 + (m4 if v94 <= -half_turn else 0.0)
+            q2_mmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+            v98 = angle1_________________ - offset6
+            v99 = offset6 + angle1_________________
+            v100 = angle1__________________ - offset6
+            v101 = offset6 + angle1__________________
+            v102 = angle1___________________ - offset6
+            v103 = offset6 + angle1___________________
+            v104 = angle1____________________ - offset6
+            v105 = offset6 + angle1____________________
+            q6_ppp = v98 + (m4 if v98 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v99 <= -half_turn else 0.0) - v99
+            q6_pmp = v100 + (m4 if v100 <= -half_turn else 0.0)
+            q6_pmm = (m4 if -v101 <= -half_turn else 0.0) - v101
+            q6_mpp = v102 + (m4 if v102 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v103 <= -half_turn else 0.0) - v103
+            q6_mmp = v104 + (m4 if v104 <= -half_turn else 0.0)
+            q6_mmm = (m4 if -v105 <= -half_turn else 0.0) - v105
+            v109 = (
+                v107 or (v106 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
                 q2_ppp)))
             )
-            v137 = (
-                v134 or (v133 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
+            v110 = (
+                v107 or (v106 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
                 q2_pmp)))
             )
-            v138 = (
-                v135 or (v133 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
+            v111 = (
+                v108 or (v106 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
                 q2_mpp)))
             )
-            v139 = (
-                v135 or (v133 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
+            v112 = (
+                v108 or (v106 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
                 q2_mmp)))
             )
             outside_ppp = (
-                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v136
+                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v109
                 or (angle1 < low5 or high5 < angle1)))
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v136 or
+                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v109 or
                 (q5_ppm < low5 or high5 < q5_ppm)))
             )
             outside_pmp = (
                 angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or
-                (v137 or (angle1_ < low5 or high5 < angle1_)))
+                (v110 or (angle1_ < low5 or high5 < angle1_)))
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v137 or
+                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v110 or
                 (q5_pmm < low5 or high5 < q5_pmm)))
             )
             outside_mpp = (
                 angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or
-                (v138 or (angle1__ < low5 or high5 < angle1__)))
+                (v111 or (angle1__ < low5 or high5 < angle1__)))
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v138 or
+                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v111 or
                 (q5_mpm < low5 or high5 < q5_mpm)))
             )
             outside_mmp = (
                 angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or
-                (v139 or (angle1___ < low5 or high5 < angle1___)))
+                (v112 or (angle1___ < low5 or high5 < angle1___)))
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v139 or
+                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v112 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _3872 = q1_ppp
-            work[3872 + k] = _3872
-            _3904 = q2_ppp
+            _3904 = q1_ppp
             work[3904 + k] = _3904
-            _3936 = q3_ppp
+            _3936 = q2_ppp
             work[3936 + k] = _3936
-            _3968 = q4_ppp
+            _3968 = q3_ppp
             work[3968 + k] = _3968
-            _4000 = angle1
+            _4000 = q4_ppp
             work[4000 + k] = _4000
-            _4032 = q6_ppp
+            _4032 = angle1
             work[4032 + k] = _4032
-            _4064 = angle1____
+            _4064 = q6_ppp
             work[4064 + k] = _4064
-            _4096 = q5_ppm
+            _4096 = angle1____
             work[4096 + k] = _4096
-            _4128 = q6_ppm
+            _4128 = q5_ppm
             work[4128 + k] = _4128
-            _4160 = q7_ppm
+            _4160 = q6_ppm
             work[4160 + k] = _4160
-            _4192 = q1_pmp
+            _4192 = q7_ppm
             work[4192 + k] = _4192
-            _4224 = q2_pmp
+            _4224 = q1_pmp
             work[4224 + k] = _4224
-            _4256 = angle1_
+            _4256 = q2_pmp
             work[4256 + k] = _4256
-            _4288 = q6_pmp
+            _4288 = angle1_
             work[4288 + k] = _4288
-            _4320 = angle1_____
+            _4320 = q6_pmp
             work[4320 + k] = _4320
-            _4352 = q5_pmm
+            _4352 = angle1_____
             work[4352 + k] = _4352
-            _4384 = q6_pmm
+            _4384 = q5_pmm
             work[4384 + k] = _4384
-            _4416 = q7_pmm
+            _4416 = q6_pmm
             work[4416 + k] = _4416
-            _4448 = q1_mpp
+            _4448 = q7_pmm
             work[4448 + k] = _4448
-            _4480 = q2_mpp
+            _4480 = q1_mpp
             work[4480 + k] = _4480
-            _4512 = q4_mpp
+            _4512 = q2_mpp
             work[4512 + k] = _4512
-            _4544 = angle1__
+            _4544 = q4_mpp
             work[4544 + k] = _4544
-            _4576 = q6_mpp
+            _4576 = angle1__
             work[4576 + k] = _4576
-            _4608 = angle1______
+            _4608 = q6_mpp
             work[4608 + k] = _4608
-            _4640 = q5_mpm
+            _4640 = angle1______
             work[4640 + k] = _4640
-            _4672 = q6_mpm
+            _4672 = q5_mpm
             work[4672 + k] = _4672
-            _4704 = q7_mpm
+            _4704 = q6_mpm
             work[4704 + k] = _4704
-            _4736 = q1_mmp
+            _4736 = q7_mpm
             work[4736 + k] = _4736
-            _4768 = q2_mmp
+            _4768 = q1_mmp
             work[4768 + k] = _4768
-            _4800 = angle1___
+            _4800 = q2_mmp
             work[4800 + k] = _4800
-            _4832 = q6_mmp
+            _4832 = angle1___
             work[4832 + k] = _4832
-            _4864 = angle1_______
+            _4864 = q6_mmp
             work[4864 + k] = _4864
-            _4896 = q5_mmm
+            _4896 = angle1_______
             work[4896 + k] = _4896
-            _4928 = q6_mmm
+            _4928 = q5_mmm
             work[4928 + k] = _4928
-            _4960 = q7_mmm
+            _4960 = q6_mmm
             work[4960 + k] = _4960
-            work[4992 + k] = (
-                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
+            _4992 = q7_mmm
+            work[4992 + k] = _4992
             work[5024 + k] = (
-                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[5056 + k] = (
-                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[5088 + k] = (
-                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[5120 + k] = (
-                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[5152 + k] = (
-                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[5184 + k] = (
-                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[5216 + k] = (
-                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[544 + k] = 1.0 if doubt else work[544 + k]
+            work[5248 + k] = (
+                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

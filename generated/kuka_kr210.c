@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KUKA_KR210_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKUKA_KR210_SCALAR. With -DKUKA_KR210_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KUKA_KR210_SCALAR) && !defined(KUKA_KR210_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef KUKA_KR210_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KUKA_KR210_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_KR210_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KUKA_KR210_UNREACHABLE \
+        : (outside) ? (int)KUKA_KR210_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.75; /* joint offset 1 [m] */
 static const double a1 = 0.35; /* link length 2 [m] */
 static const double a2 = 1.25; /* link length 3 [m] */
@@ -35,11 +337,15 @@ static const double k2 = 0.135; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 3.815416; /* a2^2 + (d4^2 + a3^2) [m^2] */
 static const double k4 = 0.07101907039587806; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double turn1 = 1.6067807868769481; /* a constant angle [rad] */
 static const double m1 = 1.7698849e-23; /* free_limit1^2 [m^2] */
-static const double m3 = 3.132492559248009e-46; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 0.009587574503443538; /* a coefficient of v4 */
+static const double m4 = 1.016127365600848; /* a coefficient of v4 */
+static const double m5 = 0.26632151398454273; /* a coefficient of v4 */
+static const double m6 = 0.03658058516163053; /* a coefficient of c3 */
+static const double m7 = 0.4; /* a coefficient of X2_2 */
+static const double m8 = 0.27616640000000003; /* a coefficient of X2_2 */
+static const double m9 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_kr210_branches[8] = {
@@ -51,12 +357,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void kuka_kr210_fk(const double q[6], double T[16])
 {
@@ -223,209 +523,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KUKA_KR210_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKUKA_KR210_SCALAR. With -DKUKA_KR210_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KUKA_KR210_SCALAR) && !defined(KUKA_KR210_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef KUKA_KR210_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_KR210_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_KR210_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_KR210_UNREACHABLE \
-        : (outside) ? (int)KUKA_KR210_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -451,275 +548,197 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = Z1_3 * Z1_3;
     const wide N3_p = v5 + v3 * v3;
     const wide N3_m = v5 + v4 * v4;
-    const wide K3_p = N3_p - k3;
-    const wide K3_m = N3_m - k3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = k1 * K3_p;
-    const wide v7 = k1 * K3_m;
-    const wide v8 = k2 * w3_p;
-    const wide v9 = k2 * w3_m;
-    const wide v10 = k4 * (v6 + v8);
-    const wide v11 = k4 * (v6 - v8);
-    const wide v12 = k4 * (v7 + v9);
-    const wide v13 = k4 * (v7 - v9);
-    const wide v14 = k2 * K3_p;
-    const wide v15 = k2 * K3_m;
-    const wide v16 = k1 * w3_p;
-    const wide v17 = k1 * w3_m;
-    const wide c3_pp = k4 * (v16 - v14);
-    const wide v18 = k4 * (v14 + v16);
-    const wide c3_mp = k4 * (v17 - v15);
-    const wide v19 = k4 * (v15 + v17);
-    const wide angle1_ = atan2_wide(w3_p, K3_p);
-    const wide angle1__ = atan2_wide(w3_m, K3_m);
-    const wide q3__pp = angle1_ - turn1;
-    const wide v20 = turn1 + angle1_;
-    const wide q3__mp = angle1__ - turn1;
-    const wide v21 = turn1 + angle1__;
+    const wide v6 = m5 * N3_p - m4;
+    const wide v7 = m5 * N3_m - m4;
+    const wide v8 = m3 * w3_p;
+    const wide v9 = v6 + v8;
+    const wide v10 = v6 - v8;
+    const wide v11 = m3 * w3_m;
+    const wide v12 = v7 + v11;
+    const wide v13 = v7 - v11;
+    const wide v14 = m6 - m3 * N3_p;
+    const wide v15 = m6 - m3 * N3_m;
+    const wide v16 = m5 * w3_p;
+    const wide c3_pp = v14 + v16;
+    const wide c3_pm = v14 - v16;
+    const wide v17 = m5 * w3_m;
+    const wide c3_mp = v15 + v17;
+    const wide c3_mm = v15 - v17;
+    const wide angle1_ = atan2_wide(-v9, c3_pp);
+    const wide angle1__ = atan2_wide(-v10, c3_pm);
+    const wide angle1___ = atan2_wide(-v12, c3_mp);
+    const wide angle1____ = atan2_wide(-v13, c3_mm);
 
     /* theta2 */
-    const wide v22 = d4 * c3_pp + a3 * v10;
-    const wide v23 = a3 * v11 - d4 * v18;
-    const wide v24 = d4 * c3_mp + a3 * v12;
-    const wide v25 = a3 * v13 - d4 * v19;
-    const wide X2_2_pp = a3 * c3_pp - d4 * v10 - a2;
-    const wide v26 = a2 + (a3 * v18 + d4 * v11);
-    const wide X2_2_mp = a3 * c3_mp - d4 * v12 - a2;
-    const wide v27 = a2 + (a3 * v19 + d4 * v13);
-    const wide S2_pp = v3 * v22 - Z1_3 * -X2_2_pp;
-    const wide S2_pm = v3 * v23 - Z1_3 * v26;
-    const wide S2_mp = v4 * v24 - Z1_3 * -X2_2_mp;
-    const wide S2_mm = v4 * v25 - Z1_3 * v27;
-    const wide C2_pp = v3 * X2_2_pp - Z1_3 * v22;
-    const wide v28 = v3 * v26 + Z1_3 * v23;
-    const wide C2_mp = v4 * X2_2_mp - Z1_3 * v24;
-    const wide v29 = v4 * v27 + Z1_3 * v25;
-    const wide v30 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v31 = S2_pm * S2_pm + v28 * v28;
-    const wide v32 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v33 = S2_mm * S2_mm + v29 * v29;
-    const wide factor2_pp = 1.0 / sqrt_wide(v30);
-    const wide factor2_pm = 1.0 / sqrt_wide(v31);
-    const wide factor2_mp = 1.0 / sqrt_wide(v32);
-    const wide factor2_mm = 1.0 / sqrt_wide(v33);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide v34 = v28 * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide v35 = v29 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide X2_2_p = m8 - m7 * N3_p;
+    const wide X2_2_m = m8 - m7 * N3_m;
+    const wide v18 = Z1_3 * X2_2_p;
+    const wide v19 = Z1_3 * X2_2_m;
+    const wide v20 = w3_p * (m7 * v3);
+    const wide S2_pp = v18 + v20;
+    const wide S2_pm = v18 - v20;
+    const wide S2_mp = v19 + w3_m * (m7 * v4);
+    const wide S2_mm = v19 + w3_m * (m7 * -v4);
+    const wide v21 = v3 * X2_2_p;
+    const wide v22 = v4 * X2_2_m;
+    const wide v23 = m7 * Z1_3;
+    const wide v24 = m7 * -Z1_3;
+    const wide C2_pp = v21 - w3_p * v23;
+    const wide C2_pm = v21 - w3_p * v24;
+    const wide C2_mp = v22 - w3_m * v23;
+    const wide C2_mm = v22 - w3_m * v24;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide c23_pp = c3_pp * c2_pp + v10 * s2_pp;
-    const wide c23_pm = v18 * v34 + v11 * s2_pm;
-    const wide c23_mp = c3_mp * c2_mp + v12 * s2_mp;
-    const wide c23_mm = v19 * v35 + v13 * s2_mm;
-    const wide s23_pp = c3_pp * s2_pp - v10 * c2_pp;
-    const wide s23_pm = v11 * v34 - v18 * s2_pm;
-    const wide s23_mp = c3_mp * s2_mp - v12 * c2_mp;
-    const wide s23_mm = v13 * v35 - v19 * s2_mm;
-    const wide v36 = T23 * s1 - T13 * v2;
-    const wide X4_pp = c23_pp * v36 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v36 - T33 * s23_pm;
-    const wide v37 = c23_mp * v36 + T33 * s23_mp;
-    const wide v38 = c23_mm * v36 + T33 * s23_mm;
-    const wide v39 = T23 * v2 + T13 * s1;
-    const wide v40 = v39 * v39;
-    const wide v41 = v40 + X4_pp * X4_pp;
-    const wide v42 = v40 + X4_pm * X4_pm;
-    const wide v43 = v40 + v37 * v37;
-    const wide v44 = v40 + v38 * v38;
-    const wide angle1___ = atan2_wide(-v39, -X4_pp);
-    const wide angle1____ = atan2_wide(-v39, -X4_pm);
-    const wide angle1_____ = atan2_wide(v39, v37);
-    const wide angle1______ = atan2_wide(v39, v38);
-    const wide v45 = copysign_wide(all_wide(half_turn), -v39) * h1;
-    const wide v46 = copysign_wide(all_wide(half_turn), v39) * h1;
-    const wide q4_ppm = angle1___ - v45;
-    const wide q4_pmm = angle1____ - v45;
-    const wide q4_mpm = angle1_____ - v46;
-    const wide q4_mmm = angle1______ - v46;
+    const wide c23_pp = c3_pp * C2_pp + v9 * S2_pp;
+    const wide c23_pm = c3_pm * C2_pm + v10 * S2_pm;
+    const wide c23_mp = c3_mp * C2_mp + v12 * S2_mp;
+    const wide c23_mm = c3_mm * C2_mm + v13 * S2_mm;
+    const wide s23_pp = c3_pp * S2_pp - v9 * C2_pp;
+    const wide s23_pm = c3_pm * S2_pm - v10 * C2_pm;
+    const wide s23_mp = c3_mp * S2_mp - v12 * C2_mp;
+    const wide s23_mm = c3_mm * S2_mm - v13 * C2_mm;
+    const wide v25 = T23 * s1 - T13 * v2;
+    const wide X4_pp = c23_pp * v25 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v25 - T33 * s23_pm;
+    const wide v26 = c23_mp * v25 + T33 * s23_mp;
+    const wide v27 = c23_mm * v25 + T33 * s23_mm;
+    const wide v28 = T23 * v2 + T13 * s1;
+    const wide v29 = v28 * v28;
+    const wide v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp));
+    const wide v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm));
+    const wide v32 = factor2_m * v26;
+    const wide v33 = v29 + factor2_m * (v26 * v32);
+    const wide v34 = factor2_m * v27;
+    const wide v35 = v29 + factor2_m * (v27 * v34);
+    const wide angle1_____ = atan2_wide(-v28, factor2_p * -X4_pp);
+    const wide angle1______ = atan2_wide(-v28, factor2_p * -X4_pm);
+    const wide angle1_______ = atan2_wide(v28, v32);
+    const wide angle1________ = atan2_wide(v28, v34);
+    const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
+    const wide v37 = copysign_wide(all_wide(half_turn), v28) * h1;
+    const wide q4_ppm = angle1_____ - v36;
+    const wide q4_pmm = angle1______ - v36;
+    const wide q4_mpm = angle1_______ - v37;
+    const wide q4_mmm = angle1________ - v37;
 
     /* theta5 */
-    const wide angle1_______ = atan2_wide(sqrt_wide(v41), -(T33 * c23_pp + s23_pp * v36));
-    const wide angle1________ = atan2_wide(sqrt_wide(v42), -(T33 * c23_pm + s23_pm * v36));
-    const wide angle1_________ = atan2_wide(sqrt_wide(v43), s23_mp * v36 - T33 * c23_mp);
-    const wide angle1__________ = atan2_wide(sqrt_wide(v44), s23_mm * v36 - T33 * c23_mm);
+    const wide angle1_________ = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp *
+        v25)));
+    const wide angle1__________ = atan2_wide(sqrt_wide(v31), -(factor2_p * (T33 * c23_pm + s23_pm *
+        v25)));
+    const wide angle1___________ = atan2_wide(sqrt_wide(v33), -(factor2_m * (T33 * c23_mp - s23_mp *
+        v25)));
+    const wide angle1____________ = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm
+        * v25)));
 
     /* theta6 */
-    const wide v47 = v2 * T22 + s1 * T12;
-    const wide v48 = s1 * T22 - v2 * T12;
-    const wide v49 = v2 * T21 + s1 * T11;
-    const wide v50 = s1 * T21 - v2 * T11;
-    const wide v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31);
-    const wide v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31);
-    const wide v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49;
-    const wide v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49;
-    const wide angle1___________ = atan2_wide(v51, -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp *
+    const wide v38 = v2 * T22 + s1 * T12;
+    const wide v39 = s1 * T22 - v2 * T12;
+    const wide v40 = v2 * T21 + s1 * T11;
+    const wide v41 = s1 * T21 - v2 * T11;
+    const wide v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31);
+    const wide v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31);
+    const wide v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40;
+    const wide v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40;
+    const wide angle1_____________ = atan2_wide(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp *
         T32));
-    const wide angle1____________ = atan2_wide(v52, -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm *
+    const wide angle1______________ = atan2_wide(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm *
         T32));
-    const wide angle1_____________ = atan2_wide(v53, v39 * (c23_mp * v48 + s23_mp * T32) - v37 *
-        v47);
-    const wide angle1______________ = atan2_wide(v54, v39 * (c23_mm * v48 + s23_mm * T32) - v38 *
-        v47);
-    const wide q6_ppm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v51);
-    const wide q6_pmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), v52);
-    const wide q6_mpm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v53);
-    const wide q6_mmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v54);
+    const wide angle1_______________ = atan2_wide(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 *
+        v38);
+    const wide angle1________________ = atan2_wide(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 *
+        v38);
+    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
-    const wide angle1_______________ = atan2_wide(S2_pp, C2_pp);
-    const wide v55 = angle1_______________ - offset2;
-    const wide angle1________________ = atan2_wide(S2_pm, -v28);
-    const wide v56 = angle1________________ - offset2;
-    const wide angle1_________________ = atan2_wide(S2_mp, C2_mp);
-    const wide v57 = angle1_________________ - offset2;
-    const wide angle1__________________ = atan2_wide(S2_mm, -v29);
-    const wide v58 = angle1__________________ - offset2;
-    const wide q2_ppp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0));
-    const wide q2_pmp = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0));
-    const wide q2_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0));
-    const wide q2_mmp = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0));
-    const wide q3_ppp = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_pmp = pick_wide(-v20 <= -half_turn, all_wide(m5), all_wide(0.0)) - v20;
-    const wide q3_mpp = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q3_mmp = pick_wide(-v21 <= -half_turn, all_wide(m5), all_wide(0.0)) - v21;
+    const wide angle1_________________ = atan2_wide(S2_pp, C2_pp);
+    const wide v46 = angle1_________________ - offset2;
+    const wide angle1__________________ = atan2_wide(S2_pm, C2_pm);
+    const wide v47 = angle1__________________ - offset2;
+    const wide angle1___________________ = atan2_wide(S2_mp, C2_mp);
+    const wide v48 = angle1___________________ - offset2;
+    const wide angle1____________________ = atan2_wide(S2_mm, C2_mm);
+    const wide v49 = angle1____________________ - offset2;
+    const wide q2_ppp = v46 - pick_wide(half_turn < v46, all_wide(m10), all_wide(0.0));
+    const wide q2_pmp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
+    const wide q2_mpp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
+    const wide q2_mmp = v49 - pick_wide(half_turn < v49, all_wide(m10), all_wide(0.0));
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt = ((v33 <= m3) | (v44 <= m4)) | (((v32 <= m3) | (v43 <= m4)) | (((v31 <=
-        m3) | (v42 <= m4)) | (((v30 <= m3) | (v41 <= m4)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((v1 <=
-        m1) | (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)))))));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v33 <= m9) |
+        ((v31 <= m9) | ((v1 <= m1) | (v30 <= m9))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle1___;
-    q[4] = angle1_______;
-    q[5] = angle1___________;
+    q[2] = angle1_;
+    q[3] = angle1_____;
+    q[4] = angle1_________;
+    q[5] = angle1_____________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
-    q[8] = q3_ppp;
+    q[8] = angle1_;
     q[9] = q4_ppm;
-    q[10] = -angle1_______;
+    q[10] = -angle1_________;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = angle1____;
-    q[16] = angle1________;
-    q[17] = angle1____________;
+    q[14] = angle1__;
+    q[15] = angle1______;
+    q[16] = angle1__________;
+    q[17] = angle1______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = q3_pmp;
+    q[20] = angle1__;
     q[21] = q4_pmm;
-    q[22] = -angle1________;
+    q[22] = -angle1__________;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = angle1_____;
-    q[28] = angle1_________;
-    q[29] = angle1_____________;
+    q[26] = angle1___;
+    q[27] = angle1_______;
+    q[28] = angle1___________;
+    q[29] = angle1_______________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
-    q[32] = q3_mpp;
+    q[32] = angle1___;
     q[33] = q4_mpm;
-    q[34] = -angle1_________;
+    q[34] = -angle1___________;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = angle1______;
-    q[40] = angle1__________;
-    q[41] = angle1______________;
+    q[38] = angle1____;
+    q[39] = angle1________;
+    q[40] = angle1____________;
+    q[41] = angle1________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = q3_mmp;
+    q[44] = angle1____;
     q[45] = q4_mmm;
-    q[46] = -angle1__________;
+    q[46] = -angle1____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -747,118 +766,70 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
-    const four K3 = N3 - k3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k1 * K3;
-    const four v7 = k2 * w3;
-    const four v8 = k4 * (v6 + e2 * v7);
-    const four v9 = k2 * K3;
-    const four v10 = k1 * w3;
-    const four c3 = k4 * (e2 * v10 - v9);
+    const four v6 = m3 * e2;
+    const four v7 = m5 * N3 - m4;
+    const four v8 = v7 + w3 * v6;
+    const four v9 = m5 * e2;
+    const four v10 = m6 - m3 * N3;
+    const four c3 = v10 + w3 * v9;
 
     /* theta2 */
-    const four v11 = d4 * c3 + a3 * v8;
-    const four X2_2 = a3 * c3 - d4 * v8 - a2;
-    const four S2 = v4 * v11 - Z1_3 * -X2_2;
-    const four C2 = v4 * X2_2 - Z1_3 * v11;
-    const four v12 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v12);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four X2_2 = m8 - m7 * N3;
+    const four v11 = Z1_3 * X2_2;
+    const four S2 = v11 + w3 * (m7 * (e2 * v4));
+    const four v12 = v4 * X2_2;
+    const four v13 = m7 * (e2 * Z1_3);
+    const four C2 = v12 - w3 * v13;
+    const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * c2 + v8 * s2;
-    const four s23 = c3 * s2 - v8 * c2;
-    const double v13 = T23 * s1 - T13 * v2;
-    const four X4 = e1 * (c23 * v13) - T33 * s23;
-    const double v14 = T23 * v2 + T13 * s1;
-    const double v15 = v14 * v14;
-    const four v16 = v15 + X4 * X4;
-    const four v17 = copysign_four(all_four(half_turn), -(e1 * v14)) * h1;
+    const four c23 = c3 * C2 + v8 * S2;
+    const four s23 = c3 * S2 - v8 * C2;
+    const double v14 = T23 * s1 - T13 * v2;
+    const four X4 = e1 * (c23 * v14) - T33 * s23;
+    const double v15 = T23 * v2 + T13 * s1;
+    const double v16 = v15 * v15;
+    const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
+    const four_mask doubt3 = v17 <= m9;
+    const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
 
     /* theta6 */
-    const double v18 = v2 * T22 + s1 * T12;
-    const double v19 = s1 * T22 - v2 * T12;
-    const double v20 = v2 * T21 + s1 * T11;
-    const double v21 = s1 * T21 - v2 * T11;
-    const four v22 = e1 * (-X4 * v20 + v14 * (e1 * (c23 * v21) - s23 * T31));
+    const double v19 = v2 * T22 + s1 * T12;
+    const double v20 = s1 * T22 - v2 * T12;
+    const double v21 = v2 * T21 + s1 * T11;
+    const double v22 = s1 * T21 - v2 * T11;
+    const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
     /* joint values */
-    const four_mask v24 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt = ((v12 <= m3) | (v16 <= m4)) | v24;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(-(e1 * v14), -X4);
-    const four angle1___ = atan2_four(sqrt_four(v16), -(T33 * c23 + e1 * (s23 * v13)));
-    const four angle1____ = atan2_four(v22, e1 * (-X4 * v18 + v14 * (e1 * (c23 * v19) - s23 *
+    const four angle1_ = atan2_four(-v8, c3);
+    const four angle1__ = atan2_four(-(e1 * v15), factor2 * -X4);
+    const four angle1___ = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14))));
+    const four angle1____ = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 *
         T32)));
     const four angle1_____ = atan2_four(S2, C2);
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(K3, all_four(-t14), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v17;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v22);
-    const four v23 = angle1_____ - offset2;
-    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m5), all_four(0.0));
-    const four q3_p = q3_ + pick_four(q3_ <= -half_turn, all_four(m5), all_four(0.0));
+    const four packed6 = atan2_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14 });
+    const four angle1 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+    const four q4_m = angle1__ - v18;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v23);
+    const four v24 = angle1_____ - offset2;
+    const four q2_p = v24 - pick_four(half_turn < v24, all_four(m10), all_four(0.0));
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle1_, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, angle1_, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * KUKA_KR210_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

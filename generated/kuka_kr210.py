@@ -76,11 +76,15 @@ k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-turn1 = 1.6067807868769481  # a constant angle [rad]
 m1 = 1.7698849e-23  # free_limit1^2 [m^2]
-m3 = 3.132492559248009e-46  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
+m3 = 0.009587574503443538  # a coefficient of v4
+m4 = 1.016127365600848  # a coefficient of v4
+m5 = 0.26632151398454273  # a coefficient of v4
+m6 = 0.03658058516163053  # a coefficient of c3
+m7 = 0.4  # a coefficient of X2_2
+m8 = 0.27616640000000003  # a coefficient of X2_2
+m9 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -511,204 +515,185 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    K3_p = N3_p - k3
-    K3_m = N3_m - k3
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = k1 * K3_p
-    v7 = k1 * K3_m
-    v8 = k2 * w3_p
-    v9 = k2 * w3_m
-    v10 = k4 * (v6 + v8)
-    v11 = k4 * (v6 - v8)
-    v12 = k4 * (v7 + v9)
-    v13 = k4 * (v7 - v9)
-    v14 = k2 * K3_p
-    v15 = k2 * K3_m
-    v16 = k1 * w3_p
-    v17 = k1 * w3_m
-    c3_pp = k4 * (v16 - v14)
-    v18 = k4 * (v14 + v16)
-    c3_mp = k4 * (v17 - v15)
-    v19 = k4 * (v15 + v17)
-    angle1_ = _atan2(w3_p, K3_p)
-    angle1__ = _atan2(w3_m, K3_m)
-    q3__pp = angle1_ - turn1
-    v20 = turn1 + angle1_
-    q3__mp = angle1__ - turn1
-    v21 = turn1 + angle1__
+    v6 = m5 * N3_p - m4
+    v7 = m5 * N3_m - m4
+    v8 = m3 * w3_p
+    v9 = v6 + v8
+    v10 = v6 - v8
+    v11 = m3 * w3_m
+    v12 = v7 + v11
+    v13 = v7 - v11
+    v14 = m6 - m3 * N3_p
+    v15 = m6 - m3 * N3_m
+    v16 = m5 * w3_p
+    c3_pp = v14 + v16
+    c3_pm = v14 - v16
+    v17 = m5 * w3_m
+    c3_mp = v15 + v17
+    c3_mm = v15 - v17
+    angle1_ = _atan2(-v9, c3_pp)
+    angle1__ = _atan2(-v10, c3_pm)
+    angle1___ = _atan2(-v12, c3_mp)
+    angle1____ = _atan2(-v13, c3_mm)
 
     # theta2, type 3: U1[1, 4] and U1[3, 4]
-    v22 = d4 * c3_pp + a3 * v10
-    v23 = a3 * v11 - d4 * v18
-    v24 = d4 * c3_mp + a3 * v12
-    v25 = a3 * v13 - d4 * v19
-    X2_2_pp = a3 * c3_pp - d4 * v10 - a2
-    v26 = a2 + (a3 * v18 + d4 * v11)
-    X2_2_mp = a3 * c3_mp - d4 * v12 - a2
-    v27 = a2 + (a3 * v19 + d4 * v13)
-    S2_pp = v3 * v22 - Z1_3 * -X2_2_pp
-    S2_pm = v3 * v23 - Z1_3 * v26
-    S2_mp = v4 * v24 - Z1_3 * -X2_2_mp
-    S2_mm = v4 * v25 - Z1_3 * v27
-    C2_pp = v3 * X2_2_pp - Z1_3 * v22
-    v28 = v3 * v26 + Z1_3 * v23
-    C2_mp = v4 * X2_2_mp - Z1_3 * v24
-    v29 = v4 * v27 + Z1_3 * v25
-    v30 = S2_pp * S2_pp + C2_pp * C2_pp
-    v31 = S2_pm * S2_pm + v28 * v28
-    v32 = S2_mp * S2_mp + C2_mp * C2_mp
-    v33 = S2_mm * S2_mm + v29 * v29
-    factor2_pp = 1.0 / math.sqrt(v30)
-    factor2_pm = 1.0 / math.sqrt(v31)
-    factor2_mp = 1.0 / math.sqrt(v32)
-    factor2_mm = 1.0 / math.sqrt(v33)
-    c2_pp = C2_pp * factor2_pp
-    v34 = v28 * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    v35 = v29 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    X2_2_p = m8 - m7 * N3_p
+    X2_2_m = m8 - m7 * N3_m
+    v18 = Z1_3 * X2_2_p
+    v19 = Z1_3 * X2_2_m
+    v20 = w3_p * (m7 * v3)
+    S2_pp = v18 + v20
+    S2_pm = v18 - v20
+    S2_mp = v19 + w3_m * (m7 * v4)
+    S2_mm = v19 + w3_m * (m7 * -v4)
+    v21 = v3 * X2_2_p
+    v22 = v4 * X2_2_m
+    v23 = m7 * Z1_3
+    v24 = m7 * -Z1_3
+    C2_pp = v21 - w3_p * v23
+    C2_pm = v21 - w3_p * v24
+    C2_mp = v22 - w3_m * v23
+    C2_mm = v22 - w3_m * v24
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[2, 3]
-    c23_pp = c3_pp * c2_pp + v10 * s2_pp
-    c23_pm = v18 * v34 + v11 * s2_pm
-    c23_mp = c3_mp * c2_mp + v12 * s2_mp
-    c23_mm = v19 * v35 + v13 * s2_mm
-    s23_pp = c3_pp * s2_pp - v10 * c2_pp
-    s23_pm = v11 * v34 - v18 * s2_pm
-    s23_mp = c3_mp * s2_mp - v12 * c2_mp
-    s23_mm = v13 * v35 - v19 * s2_mm
-    v36 = T23 * s1 - T13 * v2
-    X4_pp = c23_pp * v36 - T33 * s23_pp
-    X4_pm = c23_pm * v36 - T33 * s23_pm
-    v37 = c23_mp * v36 + T33 * s23_mp
-    v38 = c23_mm * v36 + T33 * s23_mm
-    v39 = T23 * v2 + T13 * s1
-    v40 = v39 * v39
-    v41 = v40 + X4_pp * X4_pp
-    v42 = v40 + X4_pm * X4_pm
-    v43 = v40 + v37 * v37
-    v44 = v40 + v38 * v38
-    angle1___ = _atan2(-v39, -X4_pp)
-    angle1____ = _atan2(-v39, -X4_pm)
-    angle1_____ = _atan2(v39, v37)
-    angle1______ = _atan2(v39, v38)
-    v45 = math.copysign(half_turn, -v39) * h1
-    v46 = math.copysign(half_turn, v39) * h1
-    q4_ppm = angle1___ - v45
-    q4_pmm = angle1____ - v45
-    q4_mpm = angle1_____ - v46
-    q4_mmm = angle1______ - v46
+    c23_pp = c3_pp * C2_pp + v9 * S2_pp
+    c23_pm = c3_pm * C2_pm + v10 * S2_pm
+    c23_mp = c3_mp * C2_mp + v12 * S2_mp
+    c23_mm = c3_mm * C2_mm + v13 * S2_mm
+    s23_pp = c3_pp * S2_pp - v9 * C2_pp
+    s23_pm = c3_pm * S2_pm - v10 * C2_pm
+    s23_mp = c3_mp * S2_mp - v12 * C2_mp
+    s23_mm = c3_mm * S2_mm - v13 * C2_mm
+    v25 = T23 * s1 - T13 * v2
+    X4_pp = c23_pp * v25 - T33 * s23_pp
+    X4_pm = c23_pm * v25 - T33 * s23_pm
+    v26 = c23_mp * v25 + T33 * s23_mp
+    v27 = c23_mm * v25 + T33 * s23_mm
+    v28 = T23 * v2 + T13 * s1
+    v29 = v28 * v28
+    v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp))
+    v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm))
+    v32 = factor2_m * v26
+    v33 = v29 + factor2_m * (v26 * v32)
+    v34 = factor2_m * v27
+    v35 = v29 + factor2_m * (v27 * v34)
+    angle1_____ = _atan2(-v28, factor2_p * -X4_pp)
+    angle1______ = _atan2(-v28, factor2_p * -X4_pm)
+    angle1_______ = _atan2(v28, v32)
+    angle1________ = _atan2(v28, v34)
+    v36 = math.copysign(half_turn, -v28) * h1
+    v37 = math.copysign(half_turn, v28) * h1
+    q4_ppm = angle1_____ - v36
+    q4_pmm = angle1______ - v36
+    q4_mpm = angle1_______ - v37
+    q4_mmm = angle1________ - v37
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    angle1_______ = _atan2(math.sqrt(v41), -(T33 * c23_pp + s23_pp * v36))
-    angle1________ = _atan2(math.sqrt(v42), -(T33 * c23_pm + s23_pm * v36))
-    angle1_________ = _atan2(math.sqrt(v43), s23_mp * v36 - T33 * c23_mp)
-    angle1__________ = _atan2(math.sqrt(v44), s23_mm * v36 - T33 * c23_mm)
+    angle1_________ = _atan2(math.sqrt(v30), -(factor2_p * (T33 * c23_pp + s23_pp * v25)))
+    angle1__________ = _atan2(math.sqrt(v31), -(factor2_p * (T33 * c23_pm + s23_pm * v25)))
+    angle1___________ = _atan2(math.sqrt(v33), -(factor2_m * (T33 * c23_mp - s23_mp * v25)))
+    angle1____________ = _atan2(math.sqrt(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)))
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    v47 = v2 * T22 + s1 * T12
-    v48 = s1 * T22 - v2 * T12
-    v49 = v2 * T21 + s1 * T11
-    v50 = s1 * T21 - v2 * T11
-    v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31)
-    v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31)
-    v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49
-    v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49
-    angle1___________ = _atan2(v51, -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32))
-    angle1____________ = _atan2(v52, -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32))
-    angle1_____________ = _atan2(v53, v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47)
-    angle1______________ = _atan2(v54, v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47)
-    q6_ppm = angle1___________ - h1 * math.copysign(half_turn, v51)
-    q6_pmm = angle1____________ - h1 * math.copysign(half_turn, v52)
-    q6_mpm = angle1_____________ - h1 * math.copysign(half_turn, v53)
-    q6_mmm = angle1______________ - h1 * math.copysign(half_turn, v54)
+    v38 = v2 * T22 + s1 * T12
+    v39 = s1 * T22 - v2 * T12
+    v40 = v2 * T21 + s1 * T11
+    v41 = s1 * T21 - v2 * T11
+    v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31)
+    v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
+    v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
+    v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
+    angle1_____________ = _atan2(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32))
+    angle1______________ = _atan2(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32))
+    angle1_______________ = _atan2(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38)
+    angle1________________ = _atan2(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38)
+    q6_ppm = angle1_____________ - h1 * math.copysign(half_turn, v42)
+    q6_pmm = angle1______________ - h1 * math.copysign(half_turn, v43)
+    q6_mpm = angle1_______________ - h1 * math.copysign(half_turn, v44)
+    q6_mmm = angle1________________ - h1 * math.copysign(half_turn, v45)
 
     # joint values
-    angle1_______________ = _atan2(S2_pp, C2_pp)
-    v55 = angle1_______________ - offset2
-    angle1________________ = _atan2(S2_pm, -v28)
-    v56 = angle1________________ - offset2
-    angle1_________________ = _atan2(S2_mp, C2_mp)
-    v57 = angle1_________________ - offset2
-    angle1__________________ = _atan2(S2_mm, -v29)
-    v58 = angle1__________________ - offset2
-    q2_ppp = v55 - (m5 if half_turn < v55 else 0.0)
-    q2_pmp = v56 - (m5 if half_turn < v56 else 0.0)
-    q2_mpp = v57 - (m5 if half_turn < v57 else 0.0)
-    q2_mmp = v58 - (m5 if half_turn < v58 else 0.0)
-    q3_ppp = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
-    q3_pmp = (m5 if -v20 <= -half_turn else 0.0) - v20
-    q3_mpp = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
-    q3_mmp = (m5 if -v21 <= -half_turn else 0.0) - v21
+    angle1_________________ = _atan2(S2_pp, C2_pp)
+    v46 = angle1_________________ - offset2
+    angle1__________________ = _atan2(S2_pm, C2_pm)
+    v47 = angle1__________________ - offset2
+    angle1___________________ = _atan2(S2_mp, C2_mp)
+    v48 = angle1___________________ - offset2
+    angle1____________________ = _atan2(S2_mm, C2_mm)
+    v49 = angle1____________________ - offset2
+    q2_ppp = v46 - (m10 if half_turn < v46 else 0.0)
+    q2_pmp = v47 - (m10 if half_turn < v47 else 0.0)
+    q2_mpp = v48 - (m10 if half_turn < v48 else 0.0)
+    q2_mmp = v49 - (m10 if half_turn < v49 else 0.0)
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-    doubt = (
-        v33 <= m3 or v44 <= m4 or (v32 <= m3 or v43 <= m4 or (v31 <= m3 or v42 <= m4 or (v30 <= m3
-        or v41 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v35 <= m9 or (v33 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
-    q[0, 2] = q3_ppp
-    q[0, 3] = angle1___
-    q[0, 4] = angle1_______
-    q[0, 5] = angle1___________
+    q[0, 2] = angle1_
+    q[0, 3] = angle1_____
+    q[0, 4] = angle1_________
+    q[0, 5] = angle1_____________
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppp
-    q[1, 2] = q3_ppp
+    q[1, 2] = angle1_
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1_______
+    q[1, 4] = -angle1_________
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = q3_pmp
-    q[2, 3] = angle1____
-    q[2, 4] = angle1________
-    q[2, 5] = angle1____________
+    q[2, 2] = angle1__
+    q[2, 3] = angle1______
+    q[2, 4] = angle1__________
+    q[2, 5] = angle1______________
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = q3_pmp
+    q[3, 2] = angle1__
     q[3, 3] = q4_pmm
-    q[3, 4] = -angle1________
+    q[3, 4] = -angle1__________
     q[3, 5] = q6_pmm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
-    q[4, 2] = q3_mpp
-    q[4, 3] = angle1_____
-    q[4, 4] = angle1_________
-    q[4, 5] = angle1_____________
+    q[4, 2] = angle1___
+    q[4, 3] = angle1_______
+    q[4, 4] = angle1___________
+    q[4, 5] = angle1_______________
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
-    q[5, 2] = q3_mpp
+    q[5, 2] = angle1___
     q[5, 3] = q4_mpm
-    q[5, 4] = -angle1_________
+    q[5, 4] = -angle1___________
     q[5, 5] = q6_mpm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = q3_mmp
-    q[6, 3] = angle1______
-    q[6, 4] = angle1__________
-    q[6, 5] = angle1______________
+    q[6, 2] = angle1____
+    q[6, 3] = angle1________
+    q[6, 4] = angle1____________
+    q[6, 5] = angle1________________
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = q3_mmp
+    q[7, 2] = angle1____
     q[7, 3] = q4_mmm
-    q[7, 4] = -angle1__________
+    q[7, 4] = -angle1____________
     q[7, 5] = q6_mmm
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
     return True
@@ -839,16 +824,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2080, 2112, 2144, 2176, 2208, 2240],
-    [2080, 2112, 2144, 2272, 2304, 2336],
-    [2080, 2368, 2400, 2432, 2464, 2496],
-    [2080, 2368, 2400, 2528, 2560, 2592],
-    [2624, 2656, 2688, 2720, 2752, 2784],
-    [2624, 2656, 2688, 2816, 2848, 2880],
-    [2624, 2912, 2944, 2976, 3008, 3040],
-    [2624, 2912, 2944, 3072, 3104, 3136],
+    [2208, 2240, 2272, 2304, 2336, 2368],
+    [2208, 2240, 2272, 2400, 2432, 2464],
+    [2208, 2496, 2528, 2560, 2592, 2624],
+    [2208, 2496, 2528, 2656, 2688, 2720],
+    [2752, 2784, 2816, 2848, 2880, 2912],
+    [2752, 2784, 2816, 2944, 2976, 3008],
+    [2752, 3040, 3072, 3104, 3136, 3168],
+    [2752, 3040, 3072, 3200, 3232, 3264],
 ])
-_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
+_KINDS = np.array([3296, 3328, 3360, 3392, 3424, 3456, 3488, 3520])
 _LEFT_OVER = 255
 
 
@@ -859,7 +844,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3424)
+    work = np.empty(3552)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -908,155 +893,146 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            K3_p = N3_p - k3
-            K3_m = N3_m - k3
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = k1 * K3_p
-            v7 = k1 * K3_m
-            v8 = k2 * w3_p
-            v9 = k2 * w3_m
-            v10 = k4 * (v6 + v8)
-            v11 = k4 * (v6 - v8)
-            v12 = k4 * (v7 + v9)
-            v13 = k4 * (v7 - v9)
-            v14 = k2 * K3_p
-            v15 = k2 * K3_m
-            v16 = k1 * w3_p
-            v17 = k1 * w3_m
-            c3_pp = k4 * (v16 - v14)
-            v18 = k4 * (v14 + v16)
-            c3_mp = k4 * (v17 - v15)
-            v19 = k4 * (v15 + v17)
-            v22 = d4 * c3_pp + a3 * v10
-            v23 = a3 * v11 - d4 * v18
-            v24 = d4 * c3_mp + a3 * v12
-            v25 = a3 * v13 - d4 * v19
-            X2_2_pp = a3 * c3_pp - d4 * v10 - a2
-            v26 = a2 + (a3 * v18 + d4 * v11)
-            X2_2_mp = a3 * c3_mp - d4 * v12 - a2
-            v27 = a2 + (a3 * v19 + d4 * v13)
-            S2_pp = v3 * v22 - Z1_3 * -X2_2_pp
-            S2_pm = v3 * v23 - Z1_3 * v26
-            S2_mp = v4 * v24 - Z1_3 * -X2_2_mp
-            S2_mm = v4 * v25 - Z1_3 * v27
-            C2_pp = v3 * X2_2_pp - Z1_3 * v22
-            v28 = v3 * v26 + Z1_3 * v23
-            C2_mp = v4 * X2_2_mp - Z1_3 * v24
-            v29 = v4 * v27 + Z1_3 * v25
-            v30 = S2_pp * S2_pp + C2_pp * C2_pp
-            v31 = S2_pm * S2_pm + v28 * v28
-            v32 = S2_mp * S2_mp + C2_mp * C2_mp
-            v33 = S2_mm * S2_mm + v29 * v29
-            factor2_pp = 1.0 / math.sqrt(v30)
-            factor2_pm = 1.0 / math.sqrt(v31)
-            factor2_mp = 1.0 / math.sqrt(v32)
-            factor2_mm = 1.0 / math.sqrt(v33)
-            c2_pp = C2_pp * factor2_pp
-            v34 = v28 * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            v35 = v29 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            c23_pp = c3_pp * c2_pp + v10 * s2_pp
-            c23_pm = v18 * v34 + v11 * s2_pm
-            c23_mp = c3_mp * c2_mp + v12 * s2_mp
-            c23_mm = v19 * v35 + v13 * s2_mm
-            s23_pp = c3_pp * s2_pp - v10 * c2_pp
-            s23_pm = v11 * v34 - v18 * s2_pm
-            s23_mp = c3_mp * s2_mp - v12 * c2_mp
-            s23_mm = v13 * v35 - v19 * s2_mm
-            v36 = T23 * s1 - T13 * v2
-            X4_pp = c23_pp * v36 - T33 * s23_pp
-            X4_pm = c23_pm * v36 - T33 * s23_pm
-            v37 = c23_mp * v36 + T33 * s23_mp
-            v38 = c23_mm * v36 + T33 * s23_mm
-            v39 = T23 * v2 + T13 * s1
-            v40 = v39 * v39
-            v41 = v40 + X4_pp * X4_pp
-            v42 = v40 + X4_pm * X4_pm
-            v43 = v40 + v37 * v37
-            v44 = v40 + v38 * v38
-            v45 = math.copysign(half_turn, -v39) * h1
-            v46 = math.copysign(half_turn, v39) * h1
-            v47 = v2 * T22 + s1 * T12
-            v48 = s1 * T22 - v2 * T12
-            v49 = v2 * T21 + s1 * T11
-            v50 = s1 * T21 - v2 * T11
-            v51 = -X4_pp * v49 + v39 * (c23_pp * v50 - s23_pp * T31)
-            v52 = -X4_pm * v49 + v39 * (c23_pm * v50 - s23_pm * T31)
-            v53 = v39 * (c23_mp * v50 + s23_mp * T31) - v37 * v49
-            v54 = v39 * (c23_mm * v50 + s23_mm * T31) - v38 * v49
-            doubt = (
-                v33 <= m3 or v44 <= m4 or (v32 <= m3 or v43 <= m4 or (v31 <= m3 or v42 <= m4 or (v30
-                <= m3 or v41 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+            v6 = m5 * N3_p - m4
+            v7 = m5 * N3_m - m4
+            v8 = m3 * w3_p
+            v9 = v6 + v8
+            v10 = v6 - v8
+            v11 = m3 * w3_m
+            v12 = v7 + v11
+            v13 = v7 - v11
+            v14 = m6 - m3 * N3_p
+            v15 = m6 - m3 * N3_m
+            v16 = m5 * w3_p
+            c3_pp = v14 + v16
+            c3_pm = v14 - v16
+            v17 = m5 * w3_m
+            c3_mp = v15 + v17
+            c3_mm = v15 - v17
+            X2_2_p = m8 - m7 * N3_p
+            X2_2_m = m8 - m7 * N3_m
+            v18 = Z1_3 * X2_2_p
+            v19 = Z1_3 * X2_2_m
+            v20 = w3_p * (m7 * v3)
+            S2_pp = v18 + v20
+            S2_pm = v18 - v20
+            S2_mp = v19 + w3_m * (m7 * v4)
+            S2_mm = v19 + w3_m * (m7 * -v4)
+            v21 = v3 * X2_2_p
+            v22 = v4 * X2_2_m
+            v23 = m7 * Z1_3
+            v24 = m7 * -Z1_3
+            C2_pp = v21 - w3_p * v23
+            C2_pm = v21 - w3_p * v24
+            C2_mp = v22 - w3_m * v23
+            C2_mm = v22 - w3_m * v24
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            c23_pp = c3_pp * C2_pp + v9 * S2_pp
+            c23_pm = c3_pm * C2_pm + v10 * S2_pm
+            c23_mp = c3_mp * C2_mp + v12 * S2_mp
+            c23_mm = c3_mm * C2_mm + v13 * S2_mm
+            s23_pp = c3_pp * S2_pp - v9 * C2_pp
+            s23_pm = c3_pm * S2_pm - v10 * C2_pm
+            s23_mp = c3_mp * S2_mp - v12 * C2_mp
+            s23_mm = c3_mm * S2_mm - v13 * C2_mm
+            v25 = T23 * s1 - T13 * v2
+            X4_pp = c23_pp * v25 - T33 * s23_pp
+            X4_pm = c23_pm * v25 - T33 * s23_pm
+            v26 = c23_mp * v25 + T33 * s23_mp
+            v27 = c23_mm * v25 + T33 * s23_mm
+            v28 = T23 * v2 + T13 * s1
+            v29 = v28 * v28
+            v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp))
+            v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm))
+            v32 = factor2_m * v26
+            v33 = v29 + factor2_m * (v26 * v32)
+            v34 = factor2_m * v27
+            v35 = v29 + factor2_m * (v27 * v34)
+            v36 = math.copysign(half_turn, -v28) * h1
+            v37 = math.copysign(half_turn, v28) * h1
+            v38 = v2 * T22 + s1 * T12
+            v39 = s1 * T22 - v2 * T12
+            v40 = v2 * T21 + s1 * T11
+            v41 = s1 * T21 - v2 * T11
+            v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31)
+            v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
+            v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
+            v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v35 <= m9 or (v33 <= m9 or
+                (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
-            work[640 + k] = v45
-            work[672 + k] = v46
-            work[704 + k] = v51
-            work[736 + k] = v52
-            work[768 + k] = v53
-            work[800 + k] = v54
-            work[832 + k] = doubt
+            work[640 + k] = v36
+            work[672 + k] = v37
+            work[704 + k] = v42
+            work[736 + k] = v43
+            work[768 + k] = v44
+            work[800 + k] = v45
+            work[832 + k] = doubt1
             work[864 + k] = Y1
-            work[896 + k] = w3_p
-            work[928 + k] = w3_m
-            work[960 + k] = -v39
-            work[992 + k] = -v39
-            work[1024 + k] = v39
-            work[1056 + k] = v39
-            work[1088 + k] = math.sqrt(v41)
-            work[1120 + k] = math.sqrt(v42)
-            work[1152 + k] = math.sqrt(v43)
-            work[1184 + k] = math.sqrt(v44)
-            work[1216 + k] = v51
-            work[1248 + k] = v52
-            work[1280 + k] = v53
-            work[1312 + k] = v54
-            work[1344 + k] = S2_pp
-            work[1376 + k] = S2_pm
-            work[1408 + k] = S2_mp
-            work[1440 + k] = S2_mm
-            work[1472 + k] = -t14
-            work[1504 + k] = K3_p
-            work[1536 + k] = K3_m
-            work[1568 + k] = -X4_pp
-            work[1600 + k] = -X4_pm
-            work[1632 + k] = v37
-            work[1664 + k] = v38
-            work[1696 + k] = -(T33 * c23_pp + s23_pp * v36)
-            work[1728 + k] = -(T33 * c23_pm + s23_pm * v36)
-            work[1760 + k] = s23_mp * v36 - T33 * c23_mp
-            work[1792 + k] = s23_mm * v36 - T33 * c23_mm
-            work[1824 + k] = -X4_pp * v47 + v39 * (c23_pp * v48 - s23_pp * T32)
-            work[1856 + k] = -X4_pm * v47 + v39 * (c23_pm * v48 - s23_pm * T32)
-            work[1888 + k] = v39 * (c23_mp * v48 + s23_mp * T32) - v37 * v47
-            work[1920 + k] = v39 * (c23_mm * v48 + s23_mm * T32) - v38 * v47
-            work[1952 + k] = C2_pp
-            work[1984 + k] = -v28
-            work[2016 + k] = C2_mp
-            work[2048 + k] = -v29
-        for k in range(864, 1472):
-            work[k] = _atan2(work[k], work[k + 608])
+            work[896 + k] = -v9
+            work[928 + k] = -v10
+            work[960 + k] = -v12
+            work[992 + k] = -v13
+            work[1024 + k] = -v28
+            work[1056 + k] = -v28
+            work[1088 + k] = v28
+            work[1120 + k] = v28
+            work[1152 + k] = math.sqrt(v30)
+            work[1184 + k] = math.sqrt(v31)
+            work[1216 + k] = math.sqrt(v33)
+            work[1248 + k] = math.sqrt(v35)
+            work[1280 + k] = v42
+            work[1312 + k] = v43
+            work[1344 + k] = v44
+            work[1376 + k] = v45
+            work[1408 + k] = S2_pp
+            work[1440 + k] = S2_pm
+            work[1472 + k] = S2_mp
+            work[1504 + k] = S2_mm
+            work[1536 + k] = -t14
+            work[1568 + k] = c3_pp
+            work[1600 + k] = c3_pm
+            work[1632 + k] = c3_mp
+            work[1664 + k] = c3_mm
+            work[1696 + k] = factor2_p * -X4_pp
+            work[1728 + k] = factor2_p * -X4_pm
+            work[1760 + k] = v32
+            work[1792 + k] = v34
+            work[1824 + k] = -(factor2_p * (T33 * c23_pp + s23_pp * v25))
+            work[1856 + k] = -(factor2_p * (T33 * c23_pm + s23_pm * v25))
+            work[1888 + k] = -(factor2_m * (T33 * c23_mp - s23_mp * v25))
+            work[1920 + k] = -(factor2_m * (T33 * c23_mm - s23_mm * v25))
+            work[1952 + k] = -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)
+            work[1984 + k] = -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)
+            work[2016 + k] = v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38
+            work[2048 + k] = v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38
+            work[2080 + k] = C2_pp
+            work[2112 + k] = C2_pm
+            work[2144 + k] = C2_mp
+            work[2176 + k] = C2_mm
+        for k in range(864, 1536):
+            work[k] = _atan2(work[k], work[k + 672])
         for k in range(0, 32):
             Y1 = work[544 + k]
             w3_p = work[576 + k]
             w3_m = work[608 + k]
-            v45 = work[640 + k]
-            v46 = work[672 + k]
-            v51 = work[704 + k]
-            v52 = work[736 + k]
-            v53 = work[768 + k]
-            v54 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            v36 = work[640 + k]
+            v37 = work[672 + k]
+            v42 = work[704 + k]
+            v43 = work[736 + k]
+            v44 = work[768 + k]
+            v45 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1076,109 +1052,103 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1376 + k]
             angle1_________________ = work[1408 + k]
             angle1__________________ = work[1440 + k]
-            q3__pp = angle1_ - turn1
-            v20 = turn1 + angle1_
-            q3__mp = angle1__ - turn1
-            v21 = turn1 + angle1__
-            q4_ppm = angle1___ - v45
-            q4_pmm = angle1____ - v45
-            q4_mpm = angle1_____ - v46
-            q4_mmm = angle1______ - v46
-            q6_ppm = angle1___________ - h1 * math.copysign(half_turn, v51)
-            q6_pmm = angle1____________ - h1 * math.copysign(half_turn, v52)
-            q6_mpm = angle1_____________ - h1 * math.copysign(half_turn, v53)
-            q6_mmm = angle1______________ - h1 * math.copysign(half_turn, v54)
-            v55 = angle1_______________ - offset2
-            v56 = angle1________________ - offset2
-            v57 = angle1_________________ - offset2
-            v58 = angle1__________________ - offset2
-            q2_ppp = v55 - (m5 if half_turn < v55 else 0.0)
-            q2_pmp = v56 - (m5 if half_turn < v56 else 0.0)
-            q2_mpp = v57 - (m5 if half_turn < v57 else 0.0)
-            q2_mmp = v58 - (m5 if half_turn < v58 else 0.0)
-            q3_ppp = q3__pp + (m5 if q3__pp <= -half_turn else 0.0)
-            q3_pmp = (m5 if -v20 <= -half_turn else 0.0) - v20
-            q3_mpp = q3__mp + (m5 if q3__mp <= -half_turn else 0.0)
-            q3_mmp = (m5 if -v21 <= -half_turn else 0.0) - v21
+            angle1___________________ = work[1472 + k]
+            angle1____________________ = work[1504 + k]
+            q4_ppm = angle1_____ - v36
+            q4_pmm = angle1______ - v36
+            q4_mpm = angle1_______ - v37
+            q4_mmm = angle1________ - v37
+            q6_ppm = angle1_____________ - h1 * math.copysign(half_turn, v42)
+            q6_pmm = angle1______________ - h1 * math.copysign(half_turn, v43)
+            q6_mpm = angle1_______________ - h1 * math.copysign(half_turn, v44)
+            q6_mmm = angle1________________ - h1 * math.copysign(half_turn, v45)
+            v46 = angle1_________________ - offset2
+            v47 = angle1__________________ - offset2
+            v48 = angle1___________________ - offset2
+            v49 = angle1____________________ - offset2
+            q2_ppp = v46 - (m10 if half_turn < v46 else 0.0)
+            q2_pmp = v47 - (m10 if half_turn < v47 else 0.0)
+            q2_mpp = v48 - (m10 if half_turn < v48 else 0.0)
+            q2_mmp = v49 - (m10 if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-            _2080 = q1_ppp
-            work[2080 + k] = _2080
-            _2112 = q2_ppp
-            work[2112 + k] = _2112
-            _2144 = q3_ppp
-            work[2144 + k] = _2144
-            _2176 = angle1___
-            work[2176 + k] = _2176
-            _2208 = angle1_______
+            _2208 = q1_ppp
             work[2208 + k] = _2208
-            _2240 = angle1___________
+            _2240 = q2_ppp
             work[2240 + k] = _2240
-            _2272 = q4_ppm
+            _2272 = angle1_
             work[2272 + k] = _2272
-            _2304 = -angle1_______
+            _2304 = angle1_____
             work[2304 + k] = _2304
-            _2336 = q6_ppm
+            _2336 = angle1_________
             work[2336 + k] = _2336
-            _2368 = q2_pmp
+            _2368 = angle1_____________
             work[2368 + k] = _2368
-            _2400 = q3_pmp
+            _2400 = q4_ppm
             work[2400 + k] = _2400
-            _2432 = angle1____
+            _2432 = -angle1_________
             work[2432 + k] = _2432
-            _2464 = angle1________
+            _2464 = q6_ppm
             work[2464 + k] = _2464
-            _2496 = angle1____________
+            _2496 = q2_pmp
             work[2496 + k] = _2496
-            _2528 = q4_pmm
+            _2528 = angle1__
             work[2528 + k] = _2528
-            _2560 = -angle1________
+            _2560 = angle1______
             work[2560 + k] = _2560
-            _2592 = q6_pmm
+            _2592 = angle1__________
             work[2592 + k] = _2592
-            _2624 = q1_mpp
+            _2624 = angle1______________
             work[2624 + k] = _2624
-            _2656 = q2_mpp
+            _2656 = q4_pmm
             work[2656 + k] = _2656
-            _2688 = q3_mpp
+            _2688 = -angle1__________
             work[2688 + k] = _2688
-            _2720 = angle1_____
+            _2720 = q6_pmm
             work[2720 + k] = _2720
-            _2752 = angle1_________
+            _2752 = q1_mpp
             work[2752 + k] = _2752
-            _2784 = angle1_____________
+            _2784 = q2_mpp
             work[2784 + k] = _2784
-            _2816 = q4_mpm
+            _2816 = angle1___
             work[2816 + k] = _2816
-            _2848 = -angle1_________
+            _2848 = angle1_______
             work[2848 + k] = _2848
-            _2880 = q6_mpm
+            _2880 = angle1___________
             work[2880 + k] = _2880
-            _2912 = q2_mmp
+            _2912 = angle1_______________
             work[2912 + k] = _2912
-            _2944 = q3_mmp
+            _2944 = q4_mpm
             work[2944 + k] = _2944
-            _2976 = angle1______
+            _2976 = -angle1___________
             work[2976 + k] = _2976
-            _3008 = angle1__________
+            _3008 = q6_mpm
             work[3008 + k] = _3008
-            _3040 = angle1______________
+            _3040 = q2_mmp
             work[3040 + k] = _3040
-            _3072 = q4_mmm
+            _3072 = angle1____
             work[3072 + k] = _3072
-            _3104 = -angle1__________
+            _3104 = angle1________
             work[3104 + k] = _3104
-            _3136 = q6_mmm
+            _3136 = angle1____________
             work[3136 + k] = _3136
-            work[3168 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3200 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3232 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3264 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3360 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3392 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            _3168 = angle1________________
+            work[3168 + k] = _3168
+            _3200 = q4_mmm
+            work[3200 + k] = _3200
+            _3232 = -angle1____________
+            work[3232 + k] = _3232
+            _3264 = q6_mmm
+            work[3264 + k] = _3264
+            work[3296 + k] = UNREACHABLE if _2208 != _2208 else OK
+            work[3328 + k] = UNREACHABLE if _2208 != _2208 else OK
+            work[3360 + k] = UNREACHABLE if _2208 != _2208 else OK
+            work[3392 + k] = UNREACHABLE if _2208 != _2208 else OK
+            work[3424 + k] = UNREACHABLE if _2752 != _2752 else OK
+            work[3456 + k] = UNREACHABLE if _2752 != _2752 else OK
+            work[3488 + k] = UNREACHABLE if _2752 != _2752 else OK
+            work[3520 + k] = UNREACHABLE if _2752 != _2752 else OK
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

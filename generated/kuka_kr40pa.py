@@ -68,7 +68,7 @@ k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 2.342559999999999e-47  # free_limit_squared2^2 [m^4]
+m2 = 0.625  # a coefficient of v7
 m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -535,7 +535,6 @@ def _regular(pose, q, status):
 
     # theta234, type 3: U0[3, 3] and U0[3, 1]
     v1 = T31 * T31 + T33 * T33
-    free234 = v1 <= m1
     factor234 = 1.0 / math.sqrt(v1)
     c234 = T33 * factor234
     v2 = T31 * factor234
@@ -553,80 +552,64 @@ def _regular(pose, q, status):
     v7 = a1 + a4 * c234
     Z2_3 = c1 * T14 - v5 * T24 - v7
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    s3 = k2 * w3
-    c3 = k2 * K3
-    angle1_ = _atan2(w3, K3)
+    angle1_ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v8 = a3 * s3
-    Y1_2 = a2 + a3 * c3
-    v9 = Z1_3 * Y1_2
-    v10 = Z2_3 * v8
-    v11 = v9 + v10
-    v12 = v9 - v10
-    v13 = Z2_3 * Y1_2
-    v14 = Z1_3 * v8
-    C2_p = v13 - v14
-    C2_m = v13 + v14
-    v15 = v11 * v11 + C2_p * C2_p
-    v16 = v12 * v12 + C2_m * C2_m
-    free2_p = v15 <= m2
-    free2_m = v16 <= m2
-    factor2_p = 1.0 / math.sqrt(v15)
-    factor2_m = 1.0 / math.sqrt(v16)
-    c2_p = C2_p * factor2_p
-    c2_m = C2_m * factor2_m
-    v17 = v11 * factor2_p
-    v18 = v12 * factor2_m
-    angle1__ = _atan2(-v11, C2_p)
-    angle1___ = _atan2(-v12, C2_m)
+    v8 = w3 * (m2 * Z2_3)
+    v9 = w3 * (m2 * -Z2_3)
+    v10 = m2 * (Z1_3 * N3)
+    v11 = v8 + v10
+    v12 = v9 + v10
+    v13 = m2 * (Z2_3 * N3)
+    factor2 = 1.0 / N3
+    v14 = m2 * (N3 * -Z1_3)
+    angle1__ = _atan2(-v11, v13 - w3 * (m2 * Z1_3))
+    angle1___ = _atan2(-v12, v13 - w3 * (m2 * -Z1_3))
 
     # is the pose one that the arm can take?
-    v19 = a3 * (c3 * c2_p + s3 * v17) + (v7 + a2 * c2_p)
-    v20 = a3 * (c3 * c2_m - s3 * v18) + (v7 + a2 * c2_m)
-    v21 = d1 + v6
-    v22 = math.sqrt(-1.0)
-    v23 = (
+    v15 = v7 + Z2_3
+    v16 = d1 + v6
+    v17 = math.sqrt(-1.0)
+    v18 = (
         0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2) <=
         pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack and
         (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and (abs(T11 -
-        c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v22
+        c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v17
     )
-    v24 = (
-        0.0 if (abs(T34 + (a3 * (s3 * c2_p - c3 * v17) - (v21 + a2 * v17))) <= pose_slack1 and
-        (abs(T14 - c1 * v19) <= pose_slack1 and abs(T24 + v5 * v19) <= pose_slack1)) else v22
+    v19 = abs(T14 - c1 * v15) <= pose_slack1 and abs(T24 + v5 * v15) <= pose_slack1
+    v20 = (
+        0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v8 + v14)) - (v16 + factor2 * (a2 * v11)))) <=
+        pose_slack1) else v17
     )
-    v25 = (
-        0.0 if (abs(T34 - (a3 * (s3 * c2_m + c3 * v18) + (v21 + a2 * v18))) <= pose_slack1 and
-        (abs(T14 - c1 * v20) <= pose_slack1 and abs(T24 + v5 * v20) <= pose_slack1)) else v22
+    v21 = (
+        0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v9 + v14)) - (v16 + factor2 * (a2 * v12)))) <=
+        pose_slack1) else v17
     )
 
     # joint values
-    v26 = angle1 - (angle1_ + angle1__)
-    v27 = angle1 - (angle1___ - angle1_)
+    v22 = angle1 - (angle1_ + angle1__)
+    v23 = angle1 - (angle1___ - angle1_)
     angle1____ = _atan2(-T12, T22)
-    v28 = v23 + (angle1____ + (w3 - w3))
-    q1_p = v24 + v28
-    q1_m = v25 + v28
-    q2_p = v24 + (angle1__ + v23)
-    q2_m = v25 + (angle1___ + v23)
-    q3_p = v24 + (angle1_ + v23)
-    q3_m = v25 + (v23 - angle1_)
+    v24 = v18 + (angle1____ + (w3 - w3))
+    q1_p = v20 + v24
+    q1_m = v21 + v24
+    q2_p = v20 + (angle1__ + v18)
+    q2_m = v21 + (angle1___ + v18)
+    q3_p = v20 + (angle1_ + v18)
+    q3_m = v21 + (v18 - angle1_)
     q4_p = (
-        v24 + (v23 + (v26 - (m3 if half_turn < v26 else 0.0) + (m3 if v26 <= -half_turn else 0.0)))
+        v20 + (v18 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v25 + (v23 + (v27 - (m3 if half_turn < v27 else 0.0) + (m3 if v27 <= -half_turn else 0.0)))
+        v21 + (v18 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else 0.0)))
     )
-    doubt = (
-        free2_m or (free234 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart) or (free234 or v3 <= m1) or (free2_p or
-        (free234 or free2_p)))
+    doubt1 = (
+        v3 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -817,7 +800,6 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T31 * T31 + T33 * T33
-            free234 = v1 <= m1
             factor234 = 1.0 / math.sqrt(v1)
             c234 = T33 * factor234
             v2 = T31 * factor234
@@ -830,98 +812,80 @@ def _in_tiles(T, q, status):
             v7 = a1 + a4 * c234
             Z2_3 = c1 * T14 - v5 * T24 - v7
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            s3 = k2 * w3
-            c3 = k2 * K3
-            v8 = a3 * s3
-            Y1_2 = a2 + a3 * c3
-            v9 = Z1_3 * Y1_2
-            v10 = Z2_3 * v8
-            v11 = v9 + v10
-            v12 = v9 - v10
-            v13 = Z2_3 * Y1_2
-            v14 = Z1_3 * v8
-            C2_p = v13 - v14
-            C2_m = v13 + v14
-            v15 = v11 * v11 + C2_p * C2_p
-            v16 = v12 * v12 + C2_m * C2_m
-            free2_p = v15 <= m2
-            free2_m = v16 <= m2
-            factor2_p = 1.0 / math.sqrt(v15)
-            factor2_m = 1.0 / math.sqrt(v16)
-            c2_p = C2_p * factor2_p
-            c2_m = C2_m * factor2_m
-            v17 = v11 * factor2_p
-            v18 = v12 * factor2_m
-            v19 = a3 * (c3 * c2_p + s3 * v17) + (v7 + a2 * c2_p)
-            v20 = a3 * (c3 * c2_m - s3 * v18) + (v7 + a2 * c2_m)
-            v21 = d1 + v6
-            v22 = math.sqrt(-1.0)
-            v23 = (
+            v8 = w3 * (m2 * Z2_3)
+            v9 = w3 * (m2 * -Z2_3)
+            v10 = m2 * (Z1_3 * N3)
+            v11 = v8 + v10
+            v12 = v9 + v10
+            v13 = m2 * (Z2_3 * N3)
+            factor2 = 1.0 / N3
+            v14 = m2 * (N3 * -Z1_3)
+            v15 = v7 + Z2_3
+            v16 = d1 + v6
+            v17 = math.sqrt(-1.0)
+            v18 = (
                 0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2)
                 <= pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack
                 and (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and
-                (abs(T11 - c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v22
+                (abs(T11 - c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v17
             )
-            v24 = (
-                0.0 if (abs(T34 + (a3 * (s3 * c2_p - c3 * v17) - (v21 + a2 * v17))) <= pose_slack1
-                and (abs(T14 - c1 * v19) <= pose_slack1 and abs(T24 + v5 * v19) <= pose_slack1))
-                else v22
+            v19 = abs(T14 - c1 * v15) <= pose_slack1 and abs(T24 + v5 * v15) <= pose_slack1
+            v20 = (
+                0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v8 + v14)) - (v16 + factor2 * (a2 *
+                v11)))) <= pose_slack1) else v17
             )
-            v25 = (
-                0.0 if (abs(T34 - (a3 * (s3 * c2_m + c3 * v18) + (v21 + a2 * v18))) <= pose_slack1
-                and (abs(T14 - c1 * v20) <= pose_slack1 and abs(T24 + v5 * v20) <= pose_slack1))
-                else v22
+            v21 = (
+                0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v9 + v14)) - (v16 + factor2 * (a2 *
+                v12)))) <= pose_slack1) else v17
             )
-            doubt = (
-                free2_m or (free234 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach
-                and not (shortest3_apart < N3 and N3 < longest3_apart) or (free234 or v3 <= m1) or
-                (free2_p or (free234 or free2_p)))
+            doubt1 = (
+                v3 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
+                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3
-            work[576 + k] = v23
-            work[608 + k] = v24
-            work[640 + k] = v25
-            work[672 + k] = doubt
+            work[576 + k] = v18
+            work[608 + k] = v20
+            work[640 + k] = v21
+            work[672 + k] = doubt1
             work[704 + k] = -T31
             work[736 + k] = w3
             work[768 + k] = -v11
             work[800 + k] = -v12
             work[832 + k] = -T12
             work[864 + k] = T33
-            work[896 + k] = K3
-            work[928 + k] = C2_p
-            work[960 + k] = C2_m
+            work[896 + k] = N3 - k1
+            work[928 + k] = v13 - w3 * (m2 * Z1_3)
+            work[960 + k] = v13 - w3 * (m2 * -Z1_3)
             work[992 + k] = T22
         for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v23 = work[576 + k]
-            v24 = work[608 + k]
-            v25 = work[640 + k]
-            doubt = work[672 + k] != 0.0
+            v18 = work[576 + k]
+            v20 = work[608 + k]
+            v21 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
             angle1_ = work[736 + k]
             angle1__ = work[768 + k]
             angle1___ = work[800 + k]
             angle1____ = work[832 + k]
-            v26 = angle1 - (angle1_ + angle1__)
-            v27 = angle1 - (angle1___ - angle1_)
-            v28 = v23 + (angle1____ + (w3 - w3))
-            q1_p = v24 + v28
-            q1_m = v25 + v28
-            q2_p = v24 + (angle1__ + v23)
-            q2_m = v25 + (angle1___ + v23)
-            q3_p = v24 + (angle1_ + v23)
-            q3_m = v25 + (v23 - angle1_)
+            v22 = angle1 - (angle1_ + angle1__)
+            v23 = angle1 - (angle1___ - angle1_)
+            v24 = v18 + (angle1____ + (w3 - w3))
+            q1_p = v20 + v24
+            q1_m = v21 + v24
+            q2_p = v20 + (angle1__ + v18)
+            q2_m = v21 + (angle1___ + v18)
+            q3_p = v20 + (angle1_ + v18)
+            q3_m = v21 + (v18 - angle1_)
             q4_p = (
-                v24 + (v23 + (v26 - (m3 if half_turn < v26 else 0.0) + (m3 if v26 <= -half_turn else
+                v20 + (v18 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v25 + (v23 + (v27 - (m3 if half_turn < v27 else 0.0) + (m3 if v27 <= -half_turn else
+                v21 + (v18 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else
                 0.0)))
             )
             _1024 = q1_p
@@ -942,7 +906,7 @@ def _in_tiles(T, q, status):
             work[1248 + k] = _1248
             work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

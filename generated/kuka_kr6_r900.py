@@ -81,9 +81,14 @@ k4 = 6.821542862115762  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5113426674862398  # a constant angle [rad]
 m1 = 2.0022250000000003e-24  # free_limit1^2 [m^2]
-m3 = 4.008904950625001e-48  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
+m3 = 1.0989010989010988  # a coefficient of Y1_2
+m4 = 0.03296703296703301  # a coefficient of Y1_2
+m5 = 0.07061149555147579  # a coefficient of c23
+m6 = 1.1862731252647931  # a coefficient of c23
+m7 = 0.035588193757943844  # a coefficient of c23
+m8 = 0.0021183448665442767  # a coefficient of c23
+m9 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -529,161 +534,136 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    K3_p = N3_p - k3
-    K3_m = N3_m - k3
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = k1 * K3_p
-    v7 = k1 * K3_m
-    v8 = k2 * w3_p
-    v9 = k2 * w3_m
-    s3_pp = k4 * (v8 - v6)
-    v10 = k4 * (v6 + v8)
-    s3_mp = k4 * (v9 - v7)
-    v11 = k4 * (v7 + v9)
-    v12 = k2 * K3_p
-    v13 = k2 * K3_m
-    v14 = k1 * w3_p
-    v15 = k1 * w3_m
-    c3_pp = k4 * (v12 + v14)
-    c3_pm = k4 * (v12 - v14)
-    c3_mp = k4 * (v13 + v15)
-    c3_mm = k4 * (v13 - v15)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v16 = d4 * c3_pp + a3 * s3_pp
-    v17 = d4 * c3_pm - a3 * v10
-    v18 = d4 * c3_mp + a3 * s3_mp
-    v19 = d4 * c3_mm - a3 * v11
-    Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
-    Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
-    Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
-    Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
-    S2_pp = v3 * v16 - Z1_3 * Y1_2_pp
-    S2_pm = v3 * v17 - Z1_3 * Y1_2_pm
-    S2_mp = v4 * v18 - Z1_3 * Y1_2_mp
-    S2_mm = v4 * v19 - Z1_3 * Y1_2_mm
-    v20 = Z1_3 * v16 + v3 * Y1_2_pp
-    v21 = Z1_3 * v17 + v3 * Y1_2_pm
-    v22 = Z1_3 * v18 + v4 * Y1_2_mp
-    v23 = Z1_3 * v19 + v4 * Y1_2_mm
-    v24 = S2_pp * S2_pp + v20 * v20
-    v25 = S2_pm * S2_pm + v21 * v21
-    v26 = S2_mp * S2_mp + v22 * v22
-    v27 = S2_mm * S2_mm + v23 * v23
-    factor2_pp = 1.0 / math.sqrt(v24)
-    factor2_pm = 1.0 / math.sqrt(v25)
-    factor2_mp = 1.0 / math.sqrt(v26)
-    factor2_mm = 1.0 / math.sqrt(v27)
-    v28 = v20 * factor2_pp
-    v29 = v21 * factor2_pm
-    v30 = v22 * factor2_mp
-    v31 = v23 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    Y1_2_p = m4 + m3 * N3_p
+    Y1_2_m = m4 + m3 * N3_m
+    v6 = Z1_3 * Y1_2_p
+    v7 = Z1_3 * Y1_2_m
+    v8 = v3 * Y1_2_p
+    v9 = v4 * Y1_2_m
+    v10 = m3 * Z1_3
+    v11 = m3 * -Z1_3
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v32 = c3_pp * v28 + s3_pp * s2_pp
-    v33 = c3_pm * v29 - v10 * s2_pm
-    v34 = c3_mp * v30 + s3_mp * s2_mp
-    v35 = c3_mm * v31 - v11 * s2_mm
-    s23_pp = c3_pp * s2_pp - s3_pp * v28
-    s23_pm = c3_pm * s2_pm + v10 * v29
-    s23_mp = c3_mp * s2_mp - s3_mp * v30
-    s23_mm = c3_mm * s2_mm + v11 * v31
-    v36 = T23 * s1 - T13 * v2
-    X4_pp = T33 * s23_pp + v32 * v36
-    X4_pm = T33 * s23_pm + v33 * v36
-    X4_mp = T33 * s23_mp - v34 * v36
-    X4_mm = T33 * s23_mm - v35 * v36
+    v12 = m5 * Z1_3
+    v13 = v12 - m6 * v3
+    v14 = v12 - m6 * v4
+    v15 = m7 * factor2_p - m6
+    v16 = m7 * factor2_m - m6
+    v17 = m8 * factor2_p - m5
+    v18 = m8 * factor2_m - m5
+    v19 = Z1_3 * v15 + v3 * v17
+    v20 = Z1_3 * v16 + v4 * v18
+    c23_pp = v19 + w3_p * (factor2_p * v13)
+    c23_pm = v19 + w3_p * (factor2_p * -v13)
+    c23_mp = v20 + w3_m * (factor2_m * v14)
+    c23_mm = v20 + w3_m * (factor2_m * -v14)
+    v21 = m6 * Z1_3
+    v22 = Z1_3 * v17 + v3 * -v15
+    v23 = Z1_3 * v18 + v4 * -v16
+    v24 = w3_p * (factor2_p * (v21 + m5 * v3))
+    s23_pp = v22 - v24
+    s23_pm = v22 + v24
+    v25 = w3_m * (factor2_m * (v21 + m5 * v4))
+    s23_mp = v23 - v25
+    s23_mm = v23 + v25
+    v26 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s23_pp - c23_pp * v26
+    X4_pm = T33 * s23_pm - c23_pm * v26
+    X4_mp = T33 * s23_mp + c23_mp * v26
+    X4_mm = T33 * s23_mm + c23_mm * v26
     Y4 = T13 * s1 + T23 * v2
-    v37 = Y4 * Y4
-    v38 = v37 + X4_pp * X4_pp
-    v39 = v37 + X4_pm * X4_pm
-    v40 = v37 + X4_mp * X4_mp
-    v41 = v37 + X4_mm * X4_mm
+    v27 = Y4 * Y4
+    v28 = v27 + X4_pp * X4_pp
+    v29 = v27 + X4_pm * X4_pm
+    v30 = v27 + X4_mp * X4_mp
+    v31 = v27 + X4_mm * X4_mm
     angle1_ = _atan2(Y4, -X4_pp)
     angle1__ = _atan2(Y4, -X4_pm)
     angle1___ = _atan2(-Y4, -X4_mp)
     angle1____ = _atan2(-Y4, -X4_mm)
-    v42 = math.copysign(half_turn, Y4) * h1
-    v43 = math.copysign(half_turn, -Y4) * h1
-    q4_ppm = angle1_ - v42
-    q4_pmm = angle1__ - v42
-    q4_mpm = angle1___ - v43
-    q4_mmm = angle1____ - v43
+    v32 = math.copysign(half_turn, Y4) * h1
+    v33 = math.copysign(half_turn, -Y4) * h1
+    q4_ppm = angle1_ - v32
+    q4_pmm = angle1__ - v32
+    q4_mpm = angle1___ - v33
+    q4_mmm = angle1____ - v33
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v44 = v2 * T22 + s1 * T12
-    v45 = s1 * T22 - v2 * T12
-    v46 = v2 * T21 + s1 * T11
-    v47 = s1 * T21 - v2 * T11
-    v48 = X4_pp * v46 - Y4 * (s23_pp * T31 + v32 * v47)
-    v49 = X4_pm * v46 - Y4 * (s23_pm * T31 + v33 * v47)
-    v50 = Y4 * (s23_mp * T31 - v34 * v47) - X4_mp * v46
-    v51 = Y4 * (s23_mm * T31 - v35 * v47) - X4_mm * v46
-    angle1_____ = _atan2(v48, X4_pp * v44 - Y4 * (s23_pp * T32 + v32 * v45))
-    angle1______ = _atan2(v49, X4_pm * v44 - Y4 * (s23_pm * T32 + v33 * v45))
-    angle1_______ = _atan2(v50, Y4 * (s23_mp * T32 - v34 * v45) - X4_mp * v44)
-    angle1________ = _atan2(v51, Y4 * (s23_mm * T32 - v35 * v45) - X4_mm * v44)
-    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v48)
-    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v49)
-    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v50)
-    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v51)
+    v34 = v2 * T22 + s1 * T12
+    v35 = s1 * T22 - v2 * T12
+    v36 = v2 * T21 + s1 * T11
+    v37 = s1 * T21 - v2 * T11
+    v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
+    v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
+    v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
+    v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
+    angle1_____ = _atan2(v38, Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34)
+    angle1______ = _atan2(v39, Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34)
+    angle1_______ = _atan2(v40, Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34)
+    angle1________ = _atan2(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34)
+    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v38)
+    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v39)
+    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v40)
+    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v41)
 
     # joint values
-    angle1_________ = _atan2(S2_pp, -v20)
-    v52 = angle1_________ - offset2
-    angle1__________ = _atan2(S2_pm, -v21)
-    v53 = angle1__________ - offset2
-    angle1___________ = _atan2(S2_mp, -v22)
-    v54 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_mm, -v23)
-    v55 = angle1____________ - offset2
-    q2_ppp = v52 - (m5 if half_turn < v52 else 0.0)
-    q2_pmp = v53 - (m5 if half_turn < v53 else 0.0)
-    q2_mpp = v54 - (m5 if half_turn < v54 else 0.0)
-    q2_mmp = v55 - (m5 if half_turn < v55 else 0.0)
-    angle1_____________ = _atan2(w3_p, K3_p)
-    angle1______________ = _atan2(w3_m, K3_m)
-    v56 = angle1_____________ - turn1 - offset3
-    v57 = offset3 + (turn1 + angle1_____________)
-    v58 = angle1______________ - turn1 - offset3
-    v59 = offset3 + (turn1 + angle1______________)
-    q3_ppp = v56 - (m5 if half_turn < v56 else 0.0)
-    q3_mpp = v58 - (m5 if half_turn < v58 else 0.0)
-    angle1_______________ = _atan2(math.sqrt(v38), s23_pp * v36 - T33 * v32)
-    angle1________________ = _atan2(math.sqrt(v39), s23_pm * v36 - T33 * v33)
-    angle1_________________ = _atan2(math.sqrt(v40), -(s23_mp * v36 + T33 * v34))
-    angle1__________________ = _atan2(math.sqrt(v41), -(s23_mm * v36 + T33 * v35))
-    v60 = angle1_______________ - offset5
-    v61 = offset5 + angle1_______________
-    v62 = angle1________________ - offset5
-    v63 = offset5 + angle1________________
-    v64 = angle1_________________ - offset5
-    v65 = offset5 + angle1_________________
-    v66 = angle1__________________ - offset5
-    v67 = offset5 + angle1__________________
-    q5_ppp = v60 + (m5 if v60 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v61 <= -half_turn else 0.0) - v61
-    q5_pmp = v62 + (m5 if v62 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v63 <= -half_turn else 0.0) - v63
-    q5_mpp = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v65 <= -half_turn else 0.0) - v65
-    q5_mmp = v66 + (m5 if v66 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v67 <= -half_turn else 0.0) - v67
+    v42 = w3_p * (m3 * v3)
+    angle1_________ = _atan2(v42 - v6, -(v8 + w3_p * v10))
+    v43 = angle1_________ - offset2
+    angle1__________ = _atan2(-(v6 + v42), -(v8 + w3_p * v11))
+    v44 = angle1__________ - offset2
+    angle1___________ = _atan2(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10))
+    v45 = angle1___________ - offset2
+    angle1____________ = _atan2(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11))
+    v46 = angle1____________ - offset2
+    q2_ppp = v43 - (m10 if half_turn < v43 else 0.0)
+    q2_pmp = v44 - (m10 if half_turn < v44 else 0.0)
+    q2_mpp = v45 - (m10 if half_turn < v45 else 0.0)
+    q2_mmp = v46 - (m10 if half_turn < v46 else 0.0)
+    angle1_____________ = _atan2(w3_p, N3_p - k3)
+    angle1______________ = _atan2(w3_m, N3_m - k3)
+    v47 = angle1_____________ - turn1 - offset3
+    v48 = offset3 + (turn1 + angle1_____________)
+    v49 = angle1______________ - turn1 - offset3
+    v50 = offset3 + (turn1 + angle1______________)
+    q3_ppp = v47 - (m10 if half_turn < v47 else 0.0)
+    q3_mpp = v49 - (m10 if half_turn < v49 else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v28), T33 * c23_pp + s23_pp * v26)
+    angle1________________ = _atan2(math.sqrt(v29), T33 * c23_pm + s23_pm * v26)
+    angle1_________________ = _atan2(math.sqrt(v30), T33 * c23_mp - s23_mp * v26)
+    angle1__________________ = _atan2(math.sqrt(v31), T33 * c23_mm - s23_mm * v26)
+    v51 = angle1_______________ - offset5
+    v52 = offset5 + angle1_______________
+    v53 = angle1________________ - offset5
+    v54 = offset5 + angle1________________
+    v55 = angle1_________________ - offset5
+    v56 = offset5 + angle1_________________
+    v57 = angle1__________________ - offset5
+    v58 = offset5 + angle1__________________
+    q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
+    q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
+    q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
+    q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
+    q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
+    q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
+    q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
+    q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-    doubt = (
-        v27 <= m3 or v41 <= m4 or (v26 <= m3 or v40 <= m4 or (v25 <= m3 or v39 <= m4 or (v24 <= m3
-        or v38 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v31 <= m9 or (v30 <= m9 or (v29 <= m9 or (v1 <= m1 or v28 <= m9)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -701,14 +681,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v57 + (m5 if half_turn < -v57 else 0.0))
+    q[2, 2] = -(v48 + (m10 if half_turn < -v48 else 0.0))
     q[2, 3] = angle1__
     q[2, 4] = q5_pmp
     q[2, 5] = angle1______
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v57 + (m5 if half_turn < -v57 else 0.0))
+    q[3, 2] = -(v48 + (m10 if half_turn < -v48 else 0.0))
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -729,14 +709,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v59 + (m5 if half_turn < -v59 else 0.0))
+    q[6, 2] = -(v50 + (m10 if half_turn < -v50 else 0.0))
     q[6, 3] = angle1____
     q[6, 4] = q5_mmp
     q[6, 5] = angle1________
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v59 + (m5 if half_turn < -v59 else 0.0))
+    q[7, 2] = -(v50 + (m10 if half_turn < -v50 else 0.0))
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -938,155 +918,130 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            K3_p = N3_p - k3
-            K3_m = N3_m - k3
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = k1 * K3_p
-            v7 = k1 * K3_m
-            v8 = k2 * w3_p
-            v9 = k2 * w3_m
-            s3_pp = k4 * (v8 - v6)
-            v10 = k4 * (v6 + v8)
-            s3_mp = k4 * (v9 - v7)
-            v11 = k4 * (v7 + v9)
-            v12 = k2 * K3_p
-            v13 = k2 * K3_m
-            v14 = k1 * w3_p
-            v15 = k1 * w3_m
-            c3_pp = k4 * (v12 + v14)
-            c3_pm = k4 * (v12 - v14)
-            c3_mp = k4 * (v13 + v15)
-            c3_mm = k4 * (v13 - v15)
-            v16 = d4 * c3_pp + a3 * s3_pp
-            v17 = d4 * c3_pm - a3 * v10
-            v18 = d4 * c3_mp + a3 * s3_mp
-            v19 = d4 * c3_mm - a3 * v11
-            Y1_2_pp = a2 + (a3 * c3_pp - d4 * s3_pp)
-            Y1_2_pm = a2 + (a3 * c3_pm + d4 * v10)
-            Y1_2_mp = a2 + (a3 * c3_mp - d4 * s3_mp)
-            Y1_2_mm = a2 + (a3 * c3_mm + d4 * v11)
-            S2_pp = v3 * v16 - Z1_3 * Y1_2_pp
-            S2_pm = v3 * v17 - Z1_3 * Y1_2_pm
-            S2_mp = v4 * v18 - Z1_3 * Y1_2_mp
-            S2_mm = v4 * v19 - Z1_3 * Y1_2_mm
-            v20 = Z1_3 * v16 + v3 * Y1_2_pp
-            v21 = Z1_3 * v17 + v3 * Y1_2_pm
-            v22 = Z1_3 * v18 + v4 * Y1_2_mp
-            v23 = Z1_3 * v19 + v4 * Y1_2_mm
-            v24 = S2_pp * S2_pp + v20 * v20
-            v25 = S2_pm * S2_pm + v21 * v21
-            v26 = S2_mp * S2_mp + v22 * v22
-            v27 = S2_mm * S2_mm + v23 * v23
-            factor2_pp = 1.0 / math.sqrt(v24)
-            factor2_pm = 1.0 / math.sqrt(v25)
-            factor2_mp = 1.0 / math.sqrt(v26)
-            factor2_mm = 1.0 / math.sqrt(v27)
-            v28 = v20 * factor2_pp
-            v29 = v21 * factor2_pm
-            v30 = v22 * factor2_mp
-            v31 = v23 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            v32 = c3_pp * v28 + s3_pp * s2_pp
-            v33 = c3_pm * v29 - v10 * s2_pm
-            v34 = c3_mp * v30 + s3_mp * s2_mp
-            v35 = c3_mm * v31 - v11 * s2_mm
-            s23_pp = c3_pp * s2_pp - s3_pp * v28
-            s23_pm = c3_pm * s2_pm + v10 * v29
-            s23_mp = c3_mp * s2_mp - s3_mp * v30
-            s23_mm = c3_mm * s2_mm + v11 * v31
-            v36 = T23 * s1 - T13 * v2
-            X4_pp = T33 * s23_pp + v32 * v36
-            X4_pm = T33 * s23_pm + v33 * v36
-            X4_mp = T33 * s23_mp - v34 * v36
-            X4_mm = T33 * s23_mm - v35 * v36
+            Y1_2_p = m4 + m3 * N3_p
+            Y1_2_m = m4 + m3 * N3_m
+            v6 = Z1_3 * Y1_2_p
+            v7 = Z1_3 * Y1_2_m
+            v8 = v3 * Y1_2_p
+            v9 = v4 * Y1_2_m
+            v10 = m3 * Z1_3
+            v11 = m3 * -Z1_3
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v12 = m5 * Z1_3
+            v13 = v12 - m6 * v3
+            v14 = v12 - m6 * v4
+            v15 = m7 * factor2_p - m6
+            v16 = m7 * factor2_m - m6
+            v17 = m8 * factor2_p - m5
+            v18 = m8 * factor2_m - m5
+            v19 = Z1_3 * v15 + v3 * v17
+            v20 = Z1_3 * v16 + v4 * v18
+            c23_pp = v19 + w3_p * (factor2_p * v13)
+            c23_pm = v19 + w3_p * (factor2_p * -v13)
+            c23_mp = v20 + w3_m * (factor2_m * v14)
+            c23_mm = v20 + w3_m * (factor2_m * -v14)
+            v21 = m6 * Z1_3
+            v22 = Z1_3 * v17 + v3 * -v15
+            v23 = Z1_3 * v18 + v4 * -v16
+            v24 = w3_p * (factor2_p * (v21 + m5 * v3))
+            s23_pp = v22 - v24
+            s23_pm = v22 + v24
+            v25 = w3_m * (factor2_m * (v21 + m5 * v4))
+            s23_mp = v23 - v25
+            s23_mm = v23 + v25
+            v26 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s23_pp - c23_pp * v26
+            X4_pm = T33 * s23_pm - c23_pm * v26
+            X4_mp = T33 * s23_mp + c23_mp * v26
+            X4_mm = T33 * s23_mm + c23_mm * v26
             Y4 = T13 * s1 + T23 * v2
-            v37 = Y4 * Y4
-            v38 = v37 + X4_pp * X4_pp
-            v39 = v37 + X4_pm * X4_pm
-            v40 = v37 + X4_mp * X4_mp
-            v41 = v37 + X4_mm * X4_mm
-            v42 = math.copysign(half_turn, Y4) * h1
-            v43 = math.copysign(half_turn, -Y4) * h1
-            v44 = v2 * T22 + s1 * T12
-            v45 = s1 * T22 - v2 * T12
-            v46 = v2 * T21 + s1 * T11
-            v47 = s1 * T21 - v2 * T11
-            v48 = X4_pp * v46 - Y4 * (s23_pp * T31 + v32 * v47)
-            v49 = X4_pm * v46 - Y4 * (s23_pm * T31 + v33 * v47)
-            v50 = Y4 * (s23_mp * T31 - v34 * v47) - X4_mp * v46
-            v51 = Y4 * (s23_mm * T31 - v35 * v47) - X4_mm * v46
-            doubt = (
-                v27 <= m3 or v41 <= m4 or (v26 <= m3 or v40 <= m4 or (v25 <= m3 or v39 <= m4 or (v24
-                <= m3 or v38 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+            v27 = Y4 * Y4
+            v28 = v27 + X4_pp * X4_pp
+            v29 = v27 + X4_pm * X4_pm
+            v30 = v27 + X4_mp * X4_mp
+            v31 = v27 + X4_mm * X4_mm
+            v32 = math.copysign(half_turn, Y4) * h1
+            v33 = math.copysign(half_turn, -Y4) * h1
+            v34 = v2 * T22 + s1 * T12
+            v35 = s1 * T22 - v2 * T12
+            v36 = v2 * T21 + s1 * T11
+            v37 = s1 * T21 - v2 * T11
+            v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
+            v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
+            v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
+            v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
+            v42 = w3_p * (m3 * v3)
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v31 <= m9 or (v30 <= m9 or
+                (v29 <= m9 or (v1 <= m1 or v28 <= m9)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
-            work[640 + k] = v42
-            work[672 + k] = v43
-            work[704 + k] = v48
-            work[736 + k] = v49
-            work[768 + k] = v50
-            work[800 + k] = v51
-            work[832 + k] = doubt
+            work[640 + k] = v32
+            work[672 + k] = v33
+            work[704 + k] = v38
+            work[736 + k] = v39
+            work[768 + k] = v40
+            work[800 + k] = v41
+            work[832 + k] = doubt1
             work[864 + k] = Y1
             work[896 + k] = Y4
             work[928 + k] = Y4
             work[960 + k] = -Y4
             work[992 + k] = -Y4
-            work[1024 + k] = v48
-            work[1056 + k] = v49
-            work[1088 + k] = v50
-            work[1120 + k] = v51
-            work[1152 + k] = S2_pp
-            work[1184 + k] = S2_pm
-            work[1216 + k] = S2_mp
-            work[1248 + k] = S2_mm
+            work[1024 + k] = v38
+            work[1056 + k] = v39
+            work[1088 + k] = v40
+            work[1120 + k] = v41
+            work[1152 + k] = v42 - v6
+            work[1184 + k] = -(v6 + v42)
+            work[1216 + k] = w3_m * (m3 * v4) - v7
+            work[1248 + k] = w3_m * (m3 * -v4) - v7
             work[1280 + k] = w3_p
             work[1312 + k] = w3_m
-            work[1344 + k] = math.sqrt(v38)
-            work[1376 + k] = math.sqrt(v39)
-            work[1408 + k] = math.sqrt(v40)
-            work[1440 + k] = math.sqrt(v41)
+            work[1344 + k] = math.sqrt(v28)
+            work[1376 + k] = math.sqrt(v29)
+            work[1408 + k] = math.sqrt(v30)
+            work[1440 + k] = math.sqrt(v31)
             work[1472 + k] = -wx
             work[1504 + k] = -X4_pp
             work[1536 + k] = -X4_pm
             work[1568 + k] = -X4_mp
             work[1600 + k] = -X4_mm
-            work[1632 + k] = X4_pp * v44 - Y4 * (s23_pp * T32 + v32 * v45)
-            work[1664 + k] = X4_pm * v44 - Y4 * (s23_pm * T32 + v33 * v45)
-            work[1696 + k] = Y4 * (s23_mp * T32 - v34 * v45) - X4_mp * v44
-            work[1728 + k] = Y4 * (s23_mm * T32 - v35 * v45) - X4_mm * v44
-            work[1760 + k] = -v20
-            work[1792 + k] = -v21
-            work[1824 + k] = -v22
-            work[1856 + k] = -v23
-            work[1888 + k] = K3_p
-            work[1920 + k] = K3_m
-            work[1952 + k] = s23_pp * v36 - T33 * v32
-            work[1984 + k] = s23_pm * v36 - T33 * v33
-            work[2016 + k] = -(s23_mp * v36 + T33 * v34)
-            work[2048 + k] = -(s23_mm * v36 + T33 * v35)
+            work[1632 + k] = Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34
+            work[1664 + k] = Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34
+            work[1696 + k] = Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34
+            work[1728 + k] = Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34
+            work[1760 + k] = -(v8 + w3_p * v10)
+            work[1792 + k] = -(v8 + w3_p * v11)
+            work[1824 + k] = -(v9 + w3_m * v10)
+            work[1856 + k] = -(v9 + w3_m * v11)
+            work[1888 + k] = N3_p - k3
+            work[1920 + k] = N3_m - k3
+            work[1952 + k] = T33 * c23_pp + s23_pp * v26
+            work[1984 + k] = T33 * c23_pm + s23_pm * v26
+            work[2016 + k] = T33 * c23_mp - s23_mp * v26
+            work[2048 + k] = T33 * c23_mm - s23_mm * v26
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             Y1 = work[544 + k]
             w3_p = work[576 + k]
             w3_m = work[608 + k]
-            v42 = work[640 + k]
-            v43 = work[672 + k]
-            v48 = work[704 + k]
-            v49 = work[736 + k]
-            v50 = work[768 + k]
-            v51 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            v32 = work[640 + k]
+            v33 = work[672 + k]
+            v38 = work[704 + k]
+            v39 = work[736 + k]
+            v40 = work[768 + k]
+            v41 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1106,44 +1061,44 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1376 + k]
             angle1_________________ = work[1408 + k]
             angle1__________________ = work[1440 + k]
-            q4_ppm = angle1_ - v42
-            q4_pmm = angle1__ - v42
-            q4_mpm = angle1___ - v43
-            q4_mmm = angle1____ - v43
-            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v48)
-            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v49)
-            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v50)
-            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v51)
-            v52 = angle1_________ - offset2
-            v53 = angle1__________ - offset2
-            v54 = angle1___________ - offset2
-            v55 = angle1____________ - offset2
-            q2_ppp = v52 - (m5 if half_turn < v52 else 0.0)
-            q2_pmp = v53 - (m5 if half_turn < v53 else 0.0)
-            q2_mpp = v54 - (m5 if half_turn < v54 else 0.0)
-            q2_mmp = v55 - (m5 if half_turn < v55 else 0.0)
-            v56 = angle1_____________ - turn1 - offset3
-            v57 = offset3 + (turn1 + angle1_____________)
-            v58 = angle1______________ - turn1 - offset3
-            v59 = offset3 + (turn1 + angle1______________)
-            q3_ppp = v56 - (m5 if half_turn < v56 else 0.0)
-            q3_mpp = v58 - (m5 if half_turn < v58 else 0.0)
-            v60 = angle1_______________ - offset5
-            v61 = offset5 + angle1_______________
-            v62 = angle1________________ - offset5
-            v63 = offset5 + angle1________________
-            v64 = angle1_________________ - offset5
-            v65 = offset5 + angle1_________________
-            v66 = angle1__________________ - offset5
-            v67 = offset5 + angle1__________________
-            q5_ppp = v60 + (m5 if v60 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v61 <= -half_turn else 0.0) - v61
-            q5_pmp = v62 + (m5 if v62 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v63 <= -half_turn else 0.0) - v63
-            q5_mpp = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v65 <= -half_turn else 0.0) - v65
-            q5_mmp = v66 + (m5 if v66 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v67 <= -half_turn else 0.0) - v67
+            q4_ppm = angle1_ - v32
+            q4_pmm = angle1__ - v32
+            q4_mpm = angle1___ - v33
+            q4_mmm = angle1____ - v33
+            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v38)
+            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v39)
+            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v40)
+            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v41)
+            v43 = angle1_________ - offset2
+            v44 = angle1__________ - offset2
+            v45 = angle1___________ - offset2
+            v46 = angle1____________ - offset2
+            q2_ppp = v43 - (m10 if half_turn < v43 else 0.0)
+            q2_pmp = v44 - (m10 if half_turn < v44 else 0.0)
+            q2_mpp = v45 - (m10 if half_turn < v45 else 0.0)
+            q2_mmp = v46 - (m10 if half_turn < v46 else 0.0)
+            v47 = angle1_____________ - turn1 - offset3
+            v48 = offset3 + (turn1 + angle1_____________)
+            v49 = angle1______________ - turn1 - offset3
+            v50 = offset3 + (turn1 + angle1______________)
+            q3_ppp = v47 - (m10 if half_turn < v47 else 0.0)
+            q3_mpp = v49 - (m10 if half_turn < v49 else 0.0)
+            v51 = angle1_______________ - offset5
+            v52 = offset5 + angle1_______________
+            v53 = angle1________________ - offset5
+            v54 = offset5 + angle1________________
+            v55 = angle1_________________ - offset5
+            v56 = offset5 + angle1_________________
+            v57 = angle1__________________ - offset5
+            v58 = offset5 + angle1__________________
+            q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
+            q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
+            q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
+            q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
+            q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
+            q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
+            q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
+            q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
             _2080 = q1_ppp
@@ -1166,7 +1121,7 @@ def _in_tiles(T, q, status):
             work[2336 + k] = _2336
             _2368 = q2_pmp
             work[2368 + k] = _2368
-            _2400 = -(v57 + (m5 if half_turn < -v57 else 0.0))
+            _2400 = -(v48 + (m10 if half_turn < -v48 else 0.0))
             work[2400 + k] = _2400
             _2432 = angle1__
             work[2432 + k] = _2432
@@ -1200,7 +1155,7 @@ def _in_tiles(T, q, status):
             work[2880 + k] = _2880
             _2912 = q2_mmp
             work[2912 + k] = _2912
-            _2944 = -(v59 + (m5 if half_turn < -v59 else 0.0))
+            _2944 = -(v50 + (m10 if half_turn < -v50 else 0.0))
             work[2944 + k] = _2944
             _2976 = angle1____
             work[2976 + k] = _2976
@@ -1222,7 +1177,7 @@ def _in_tiles(T, q, status):
             work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3360 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3392 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

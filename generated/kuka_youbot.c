@@ -9,6 +9,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef KUKA_YOUBOT_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKUKA_YOUBOT_SCALAR. With -DKUKA_YOUBOT_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KUKA_YOUBOT_SCALAR) && !defined(KUKA_YOUBOT_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef KUKA_YOUBOT_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KUKA_YOUBOT_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_YOUBOT_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KUKA_YOUBOT_UNREACHABLE \
+        : (outside) ? (int)KUKA_YOUBOT_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.147; /* joint offset 1 [m] */
 static const double a1 = 0.033; /* link length 1 [m] */
 static const double a2 = 0.155; /* link length 2 [m] */
@@ -37,8 +339,11 @@ static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 4.726562499999999e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 2.234039306640625e-49; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 3.2258064516129035; /* a coefficient of S2 */
+static const double m5 = 0.018709677419354823; /* a coefficient of S2 */
+static const double m6 = 3.7037037037037037; /* a coefficient of c23 */
+static const double m7 = 0.021481481481481466; /* a coefficient of c23 */
+static const double m8 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
@@ -47,12 +352,6 @@ const char *const kuka_youbot_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void kuka_youbot_fk(const double q[5], double T[16])
 {
@@ -198,209 +497,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef KUKA_YOUBOT_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DKUKA_YOUBOT_SCALAR. With -DKUKA_YOUBOT_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(KUKA_YOUBOT_SCALAR) && !defined(KUKA_YOUBOT_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef KUKA_YOUBOT_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_YOUBOT_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_YOUBOT_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_YOUBOT_UNREACHABLE \
-        : (outside) ? (int)KUKA_YOUBOT_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
@@ -420,7 +516,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
     const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide_mask free234 = v2 <= m3;
     const wide factor234 = 1.0 / sqrt_wide(v2);
     const wide v3 = T33 * factor234;
     const wide s234 = Z2_234 * factor234;
@@ -444,150 +539,119 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v10 = Z1_3 * Z1_3;
     const wide N3_p = v10 + Z2_3_p * Z2_3_p;
     const wide N3_m = v10 + Z2_3_m * Z2_3_m;
-    const wide K3_p = N3_p - k1;
-    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v11 = w3_p - w3_p;
     const wide v12 = w3_m - w3_m;
-    const wide s3_p = k2 * w3_p;
-    const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * K3_p;
-    const wide c3_m = k2 * K3_m;
-    const wide angle1___ = atan2_wide(w3_p, K3_p);
-    const wide angle1____ = atan2_wide(w3_m, K3_m);
+    const wide angle1___ = atan2_wide(w3_p, N3_p - k1);
+    const wide angle1____ = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide X1_2_p = a2 + a3 * c3_p;
-    const wide X1_2_m = a2 + a3 * c3_m;
-    const wide Y1_2_p = a3 * s3_p;
-    const wide Y1_2_m = a3 * s3_m;
-    const wide v13 = Z1_3 * X1_2_p;
-    const wide v14 = Z1_3 * X1_2_m;
-    const wide v15 = Z2_3_p * Y1_2_p;
-    const wide v16 = Z2_3_m * Y1_2_m;
-    const wide S2_pp = v13 - v15;
-    const wide S2_pm = v13 + v15;
-    const wide S2_mp = v14 - v16;
-    const wide S2_mm = v14 + v16;
-    const wide v17 = Z2_3_p * X1_2_p;
-    const wide v18 = Z2_3_m * X1_2_m;
-    const wide v19 = Z1_3 * Y1_2_p;
-    const wide v20 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v17 + v19;
-    const wide C2_pm = v17 - v19;
-    const wide C2_mp = v18 + v20;
-    const wide C2_mm = v18 - v20;
-    const wide v21 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v22 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v23 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v24 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide_mask free2_pp = v21 <= m4;
-    const wide_mask free2_pm = v22 <= m4;
-    const wide_mask free2_mp = v23 <= m4;
-    const wide_mask free2_mm = v24 <= m4;
-    const wide factor2_pp = 1.0 / sqrt_wide(v21);
-    const wide factor2_pm = 1.0 / sqrt_wide(v22);
-    const wide factor2_mp = 1.0 / sqrt_wide(v23);
-    const wide factor2_mm = 1.0 / sqrt_wide(v24);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
-    const wide angle1_____ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1______ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1_______ = atan2_wide(S2_mp, C2_mp);
-    const wide angle1________ = atan2_wide(S2_mm, C2_mm);
+    const wide v13 = m5 + m4 * N3_p;
+    const wide v14 = m5 + m4 * N3_m;
+    const wide v15 = Z1_3 * v13;
+    const wide v16 = Z1_3 * v14;
+    const wide S2_pp = v15 - w3_p * (m4 * Z2_3_p);
+    const wide S2_pm = v15 - w3_p * (m4 * -Z2_3_p);
+    const wide S2_mp = v16 - w3_m * (m4 * Z2_3_m);
+    const wide S2_mm = v16 - w3_m * (m4 * -Z2_3_m);
+    const wide v17 = m4 * Z1_3;
+    const wide v18 = m4 * -Z1_3;
+    const wide v19 = Z2_3_p * v13;
+    const wide v20 = Z2_3_m * v14;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
+    const wide angle1_____ = atan2_wide(S2_pp, v19 + w3_p * v17);
+    const wide angle1______ = atan2_wide(S2_pm, v19 + w3_p * v18);
+    const wide angle1_______ = atan2_wide(S2_mp, v20 + w3_m * v17);
+    const wide angle1________ = atan2_wide(S2_mm, v20 + w3_m * v18);
 
     /* is the pose one that the arm can take? */
-    const wide v25 = c1 * v3;
-    const wide v26 = a1 + v9;
-    const wide v27 = a1 - v9;
-    const wide v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp);
-    const wide v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm);
-    const wide v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp);
-    const wide v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm);
-    const wide v32 = s1 * v3;
-    const wide v33 = d1 + v8;
-    const double v34 = sqrt(-1.0);
-    const wide v35 = pick_wide((abs_wide(T33 - v3) <= pose_slack) & ((abs_wide(T32 - s234 * v7) <=
+    const wide v21 = c1 * v3;
+    const wide v22 = Z1_3 * (m6 - m7 * factor2_p);
+    const wide v23 = Z1_3 * (m6 - m7 * factor2_m);
+    const wide v24 = Z2_3_p + (a1 + v9);
+    const wide v25 = Z2_3_m + (a1 - v9);
+    const wide v26 = s1 * v3;
+    const wide v27 = d1 + v8;
+    const double v28 = sqrt(-1.0);
+    const wide v29 = pick_wide((abs_wide(T33 - v3) <= pose_slack) & ((abs_wide(T32 - s234 * v7) <=
         pose_slack) & ((abs_wide(T31 + s234 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * s234) <=
-        pose_slack) & ((abs_wide(T22 + (v7 * v32 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 - (v6 *
-        v32 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * s234) <= pose_slack) & ((abs_wide(T11
-        - (v6 * v25 - s1 * v7)) <= pose_slack) & (abs_wide(T12 + (s1 * v6 + v7 * v25)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v34));
-    const wide v36 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 *
-        s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v28) <= pose_slack1) & (abs_wide(T24 - s1 *
-        v28) <= pose_slack1)), all_wide(0.0), all_wide(v34));
-    const wide v37 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 *
-        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v29) <= pose_slack1) & (abs_wide(T24 - s1 *
-        v29) <= pose_slack1)), all_wide(0.0), all_wide(v34));
-    const wide v38 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 *
-        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v30) <= pose_slack1) & (abs_wide(T24 + s1 *
-        v30) <= pose_slack1)), all_wide(0.0), all_wide(v34));
-    const wide v39 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 *
-        s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v31) <= pose_slack1) & (abs_wide(T24 + s1 *
-        v31) <= pose_slack1)), all_wide(0.0), all_wide(v34));
+        pose_slack) & ((abs_wide(T22 + (v7 * v26 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 - (v6 *
+        v26 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * s234) <= pose_slack) & ((abs_wide(T11
+        - (v6 * v21 - s1 * v7)) <= pose_slack) & (abs_wide(T12 + (s1 * v6 + v7 * v21)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v28));
+    const wide_mask v30 = (abs_wide(T14 - c1 * v24) <= pose_slack1) & (abs_wide(T24 - s1 * v24) <=
+        pose_slack1);
+    const wide_mask v31 = (abs_wide(T14 + c1 * v25) <= pose_slack1) & (abs_wide(T24 + s1 * v25) <=
+        pose_slack1);
+    const wide v32 = pick_wide(v30 & (abs_wide(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p *
+        factor2_p))) + (v27 + a2 * (S2_pp * factor2_p)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v28));
+    const wide v33 = pick_wide(v30 & (abs_wide(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p *
+        factor2_p))) + (v27 + a2 * (S2_pm * factor2_p)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v28));
+    const wide v34 = pick_wide(v31 & (abs_wide(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m *
+        factor2_m))) + (v27 + a2 * (S2_mp * factor2_m)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v28));
+    const wide v35 = pick_wide(v31 & (abs_wide(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m *
+        factor2_m))) + (v27 + a2 * (S2_mm * factor2_m)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v28));
 
     /* joint values */
-    const wide v40 = angle1_____ - offset2;
-    const wide v41 = angle1______ - offset2;
-    const wide v42 = angle1_______ - offset2;
-    const wide v43 = angle1________ - offset2;
-    const wide v44 = angle1_ - (angle1___ + angle1_____) - offset4;
-    const wide v45 = angle1_ - (angle1______ - angle1___) - offset4;
-    const wide v46 = offset4 + (angle1_ + (angle1____ + angle1_______));
-    const wide v47 = offset4 + (angle1_ + (angle1________ - angle1____));
-    const wide v48 = v44 - pick_wide(half_turn < v44, all_wide(m5), all_wide(0.0)) + pick_wide(v44
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v49 = v45 - pick_wide(half_turn < v45, all_wide(m5), all_wide(0.0)) + pick_wide(v45
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v50 = pick_wide(-v46 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v46 +
-        pick_wide(half_turn < -v46, all_wide(m5), all_wide(0.0)));
-    const wide v51 = pick_wide(-v47 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v47 +
-        pick_wide(half_turn < -v47, all_wide(m5), all_wide(0.0)));
-    const wide v52 = v35 + (angle1 + v11);
-    const wide v53 = v35 + (v12 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v36 + v52;
-    const wide q1_pm = v37 + v52;
-    const wide q1_mp = v38 + v53;
-    const wide q1_mm = v39 + v53;
-    const wide q2_pp = v36 + (v35 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m5),
+    const wide v36 = angle1_____ - offset2;
+    const wide v37 = angle1______ - offset2;
+    const wide v38 = angle1_______ - offset2;
+    const wide v39 = angle1________ - offset2;
+    const wide v40 = angle1_ - (angle1___ + angle1_____) - offset4;
+    const wide v41 = angle1_ - (angle1______ - angle1___) - offset4;
+    const wide v42 = offset4 + (angle1_ + (angle1____ + angle1_______));
+    const wide v43 = offset4 + (angle1_ + (angle1________ - angle1____));
+    const wide v44 = v40 - pick_wide(half_turn < v40, all_wide(m8), all_wide(0.0)) + pick_wide(v40
+        <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v45 = v41 - pick_wide(half_turn < v41, all_wide(m8), all_wide(0.0)) + pick_wide(v41
+        <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v46 = pick_wide(-v42 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v42 +
+        pick_wide(half_turn < -v42, all_wide(m8), all_wide(0.0)));
+    const wide v47 = pick_wide(-v43 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v43 +
+        pick_wide(half_turn < -v43, all_wide(m8), all_wide(0.0)));
+    const wide v48 = v29 + (angle1 + v11);
+    const wide v49 = v29 + (v12 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v32 + v48;
+    const wide q1_pm = v33 + v48;
+    const wide q1_mp = v34 + v49;
+    const wide q1_mm = v35 + v49;
+    const wide q2_pp = v32 + (v29 + (v36 + pick_wide(v36 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_pm = v37 + (v35 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m5),
+    const wide q2_pm = v33 + (v29 + (v37 + pick_wide(v37 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_mp = v38 + (v35 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m5),
+    const wide q2_mp = v34 + (v29 + (v38 + pick_wide(v38 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_mm = v39 + (v35 + (v43 + pick_wide(v43 <= -half_turn, all_wide(m5),
+    const wide q2_mm = v35 + (v29 + (v39 + pick_wide(v39 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q3_pp = v36 + (angle1___ + v35);
-    const wide q3_pm = v37 + (v35 - angle1___);
-    const wide q3_mp = v38 + (angle1____ + v35);
-    const wide q3_mm = v39 + (v35 - angle1____);
-    const wide q4_pp = v36 + (v35 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m5),
+    const wide q3_pp = v32 + (angle1___ + v29);
+    const wide q3_pm = v33 + (v29 - angle1___);
+    const wide q3_mp = v34 + (angle1____ + v29);
+    const wide q3_mm = v35 + (v29 - angle1____);
+    const wide q4_pp = v32 + (v29 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_pm = v37 + (v35 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m5),
+    const wide q4_pm = v33 + (v29 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_mp = v38 + (v35 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m5),
+    const wide q4_mp = v34 + (v29 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_mm = v39 + (v35 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m5),
+    const wide q4_mm = v35 + (v29 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide v54 = v35 + (angle1__ + v11);
-    const wide v55 = v35 + (v12 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
-    const wide q5_pp = v36 + v54;
-    const wide q5_pm = v37 + v54;
-    const wide q5_mp = v38 + v55;
-    const wide q5_mm = v39 + v55;
-    const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
-        ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
+    const wide v50 = v29 + (angle1__ + v11);
+    const wide v51 = v29 + (v12 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide q5_pp = v32 + v50;
+    const wide q5_pm = v33 + v50;
+    const wide q5_mp = v34 + v51;
+    const wide q5_mm = v35 + v51;
+    const wide_mask doubt1 = (v2 <= m3) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v4 <= m3) | (free234 | (v1
-        <= m1))))))));
+        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v4 <= m3) |
+        (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
+        < longest3_apart)) == 0)))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -614,73 +678,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -704,7 +705,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
     const double v4 = T33 * T33 + Z2_234 * Z2_234;
-    const int free234 = v4 <= m3;
     const double factor234 = 1.0 / sqrt(v4);
     const double v5 = T33 * factor234;
     const double s234 = Z2_234 * factor234;
@@ -726,31 +726,22 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four Z2_3 = e1 * w1 - a1 - v13;
     const double v14 = Z1_3 * Z1_3;
     const four N3 = v14 + Z2_3 * Z2_3;
-    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v15 = w3 - w3;
-    const four s3 = k2 * w3;
-    const four c3 = k2 * K3;
 
     /* theta2 */
-    const four X1_2 = a2 + a3 * c3;
-    const four Y1_2 = a3 * s3;
-    const four v16 = Z1_3 * X1_2;
-    const four v17 = Z2_3 * Y1_2;
-    const four S2 = v16 - e2 * v17;
-    const four v18 = Z2_3 * X1_2;
-    const four v19 = Z1_3 * Y1_2;
-    const four C2 = v18 + e2 * v19;
-    const four v20 = S2 * S2 + C2 * C2;
-    const four_mask free2 = v20 <= m4;
-    const four factor2 = 1.0 / sqrt_four(v20);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v16 = e2 * Z2_3;
+    const four v17 = m5 + m4 * N3;
+    const four v18 = Z1_3 * v17;
+    const four S2 = v18 - w3 * (m4 * v16);
+    const four v19 = m4 * (e2 * Z1_3);
+    const four v20 = Z2_3 * v17;
+    const four factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
     const double v21 = c1 * v5;
-    const four v22 = a1 + v13;
-    const four v23 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v22 + a2 * c2);
+    const four v22 = Z1_3 * (m6 - m7 * factor2);
+    const four v23 = Z2_3 + (a1 + v13);
     const double v24 = s1 * v5;
     const double v25 = d1 + v11;
     const double v26 = sqrt(-1.0);
@@ -759,86 +750,48 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         + (v9 * v24 - c1 * v8)) <= pose_slack) & ((fabs(T21 - (v8 * v24 + c1 * v9)) <= pose_slack) &
         ((fabs(T13 - c1 * s234) <= pose_slack) & ((fabs(T11 - (v8 * v21 - s1 * v9)) <= pose_slack) &
         (fabs(T12 + (s1 * v8 + v9 * v21)) <= pose_slack))))))))) ? 0.0 : v26;
-    const four v28 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v25 + a2 * s2)))
-        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
-        (s1 * v23)) <= pose_slack1)), all_four(0.0), all_four(v26));
+    const four_mask v28 = (abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
+        (s1 * v23)) <= pose_slack1);
+    const four v29 = pick_four(v28 & (abs_four(T34 - (a3 * (v22 + w3 * (m6 * (v16 * factor2))) +
+        (v25 + a2 * (S2 * factor2)))) <= pose_slack1), all_four(0.0), all_four(v26));
 
     /* joint values */
-    const int doubt1 = (v6 <= m3) | (free234 | (v1 <= m1));
-    const four_mask v36 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v36;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+    const int doubt1 = (v4 <= m3) | ((v6 <= m3) | (v1 <= m1));
 
-    const four angle1____ = atan2_four(S2, C2);
+    const four angle1____ = atan2_four(S2, v20 + w3 * v19);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(T24), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(T14), 0, 5, 2, 3),
+        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T14), 0, 5, 2, 3),
         all_four(-T33), 0, 1, 2, 7));
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
     const four angle1__ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v29 = angle1____ - offset2;
-    const four v30 = e2 * angle1___;
-    const four v31 = e1 * angle1_;
-    const four v32 = v31 - (angle1____ + v30) - offset4;
-    const four v33 = v32 - pick_four(half_turn < v32, all_four(m5), all_four(0.0)) + pick_four(v32
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four v34 = v27 + (v15 + (angle1 + v2 * v3));
-    const four q1 = v28 + v34;
-    const four q2 = v28 + (v27 + (v29 + pick_four(v29 <= -half_turn, all_four(m5), all_four(0.0))));
-    const four q3 = v28 + (v27 + v30);
-    const four q4 = v28 + (v27 + (v33 + pick_four(v33 <= -half_turn, all_four(m5), all_four(0.0))));
-    const four v35 = v27 + (v15 + (angle1__ + v3 * v10));
-    const four q5 = v28 + v35;
+    const four v30 = angle1____ - offset2;
+    const four v31 = e2 * angle1___;
+    const four v32 = e1 * angle1_;
+    const four v33 = v32 - (angle1____ + v31) - offset4;
+    const four v34 = v33 - pick_four(half_turn < v33, all_four(m8), all_four(0.0)) + pick_four(v33
+        <= -half_turn, all_four(m8), all_four(0.0));
+    const four v35 = v27 + (v15 + (angle1 + v2 * v3));
+    const four q1 = v29 + v35;
+    const four q2 = v29 + (v27 + (v30 + pick_four(v30 <= -half_turn, all_four(m8), all_four(0.0))));
+    const four q3 = v29 + (v27 + v31);
+    const four q4 = v29 + (v27 + (v34 + pick_four(v34 <= -half_turn, all_four(m8), all_four(0.0))));
+    const four v36 = v27 + (v15 + (angle1__ + v3 * v10));
+    const four q5 = v29 + v36;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    status[2] = (unsigned char)kind1[2];
-    status[3] = (unsigned char)kind1[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * KUKA_YOUBOT_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 4);
+    return 4 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

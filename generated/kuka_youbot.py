@@ -75,8 +75,11 @@ k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.726562499999999e-25  # free_limit1^2 [m^2]
 m3 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 2.234039306640625e-49  # free_limit_squared2^2 [m^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 3.2258064516129035  # a coefficient of S2
+m5 = 0.018709677419354823  # a coefficient of S2
+m6 = 3.7037037037037037  # a coefficient of c23
+m7 = 0.021481481481481466  # a coefficient of c23
+m8 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -606,7 +609,6 @@ def _regular(pose, q, status):
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     Z2_234 = c1 * T13 + s1 * T23
     v2 = T33 * T33 + Z2_234 * Z2_234
-    free234 = v2 <= m3
     factor234 = 1.0 / math.sqrt(v2)
     v3 = T33 * factor234
     s234 = Z2_234 * factor234
@@ -630,146 +632,113 @@ def _regular(pose, q, status):
     v10 = Z1_3 * Z1_3
     N3_p = v10 + Z2_3_p * Z2_3_p
     N3_m = v10 + Z2_3_m * Z2_3_m
-    K3_p = N3_p - k1
-    K3_m = N3_m - k1
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
     v11 = w3_p - w3_p
     v12 = w3_m - w3_m
-    s3_p = k2 * w3_p
-    s3_m = k2 * w3_m
-    c3_p = k2 * K3_p
-    c3_m = k2 * K3_m
-    angle1___ = _atan2(w3_p, K3_p)
-    angle1____ = _atan2(w3_m, K3_m)
+    angle1___ = _atan2(w3_p, N3_p - k1)
+    angle1____ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_p = a2 + a3 * c3_p
-    X1_2_m = a2 + a3 * c3_m
-    Y1_2_p = a3 * s3_p
-    Y1_2_m = a3 * s3_m
-    v13 = Z1_3 * X1_2_p
-    v14 = Z1_3 * X1_2_m
-    v15 = Z2_3_p * Y1_2_p
-    v16 = Z2_3_m * Y1_2_m
-    S2_pp = v13 - v15
-    S2_pm = v13 + v15
-    S2_mp = v14 - v16
-    S2_mm = v14 + v16
-    v17 = Z2_3_p * X1_2_p
-    v18 = Z2_3_m * X1_2_m
-    v19 = Z1_3 * Y1_2_p
-    v20 = Z1_3 * Y1_2_m
-    C2_pp = v17 + v19
-    C2_pm = v17 - v19
-    C2_mp = v18 + v20
-    C2_mm = v18 - v20
-    v21 = S2_pp * S2_pp + C2_pp * C2_pp
-    v22 = S2_pm * S2_pm + C2_pm * C2_pm
-    v23 = S2_mp * S2_mp + C2_mp * C2_mp
-    v24 = S2_mm * S2_mm + C2_mm * C2_mm
-    free2_pp = v21 <= m4
-    free2_pm = v22 <= m4
-    free2_mp = v23 <= m4
-    free2_mm = v24 <= m4
-    factor2_pp = 1.0 / math.sqrt(v21)
-    factor2_pm = 1.0 / math.sqrt(v22)
-    factor2_mp = 1.0 / math.sqrt(v23)
-    factor2_mm = 1.0 / math.sqrt(v24)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    c2_mm = C2_mm * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
-    angle1_____ = _atan2(S2_pp, C2_pp)
-    angle1______ = _atan2(S2_pm, C2_pm)
-    angle1_______ = _atan2(S2_mp, C2_mp)
-    angle1________ = _atan2(S2_mm, C2_mm)
+    v13 = m5 + m4 * N3_p
+    v14 = m5 + m4 * N3_m
+    v15 = Z1_3 * v13
+    v16 = Z1_3 * v14
+    S2_pp = v15 - w3_p * (m4 * Z2_3_p)
+    S2_pm = v15 - w3_p * (m4 * -Z2_3_p)
+    S2_mp = v16 - w3_m * (m4 * Z2_3_m)
+    S2_mm = v16 - w3_m * (m4 * -Z2_3_m)
+    v17 = m4 * Z1_3
+    v18 = m4 * -Z1_3
+    v19 = Z2_3_p * v13
+    v20 = Z2_3_m * v14
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
+    angle1_____ = _atan2(S2_pp, v19 + w3_p * v17)
+    angle1______ = _atan2(S2_pm, v19 + w3_p * v18)
+    angle1_______ = _atan2(S2_mp, v20 + w3_m * v17)
+    angle1________ = _atan2(S2_mm, v20 + w3_m * v18)
 
     # is the pose one that the arm can take?
-    v25 = c1 * v3
-    v26 = a1 + v9
-    v27 = a1 - v9
-    v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp)
-    v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm)
-    v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp)
-    v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm)
-    v32 = s1 * v3
-    v33 = d1 + v8
-    v34 = math.sqrt(-1.0)
-    v35 = (
+    v21 = c1 * v3
+    v22 = Z1_3 * (m6 - m7 * factor2_p)
+    v23 = Z1_3 * (m6 - m7 * factor2_m)
+    v24 = Z2_3_p + (a1 + v9)
+    v25 = Z2_3_m + (a1 - v9)
+    v26 = s1 * v3
+    v27 = d1 + v8
+    v28 = math.sqrt(-1.0)
+    v29 = (
         0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and (abs(T31 +
-        s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (v7 * v32 -
-        c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v32 + c1 * v7)) <= pose_slack and (abs(T13 - c1
-        * s234) <= pose_slack and (abs(T11 - (v6 * v25 - s1 * v7)) <= pose_slack and abs(T12 + (s1 *
-        v6 + v7 * v25)) <= pose_slack)))))))) else v34
+        s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (v7 * v26 -
+        c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v26 + c1 * v7)) <= pose_slack and (abs(T13 - c1
+        * s234) <= pose_slack and (abs(T11 - (v6 * v21 - s1 * v7)) <= pose_slack and abs(T12 + (s1 *
+        v6 + v7 * v21)) <= pose_slack)))))))) else v28
     )
-    v36 = (
-        0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 * s2_pp))) <= pose_slack1
-        and (abs(T14 - c1 * v28) <= pose_slack1 and abs(T24 - s1 * v28) <= pose_slack1)) else v34
+    v30 = abs(T14 - c1 * v24) <= pose_slack1 and abs(T24 - s1 * v24) <= pose_slack1
+    v31 = abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1
+    v32 = (
+        0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v27 + a2 *
+        (S2_pp * factor2_p)))) <= pose_slack1) else v28
     )
-    v37 = (
-        0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 * s2_pm))) <= pose_slack1
-        and (abs(T14 - c1 * v29) <= pose_slack1 and abs(T24 - s1 * v29) <= pose_slack1)) else v34
+    v33 = (
+        0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v27 + a2 *
+        (S2_pm * factor2_p)))) <= pose_slack1) else v28
     )
-    v38 = (
-        0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 * s2_mp))) <= pose_slack1
-        and (abs(T14 + c1 * v30) <= pose_slack1 and abs(T24 + s1 * v30) <= pose_slack1)) else v34
+    v34 = (
+        0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m * factor2_m))) + (v27 + a2 *
+        (S2_mp * factor2_m)))) <= pose_slack1) else v28
     )
-    v39 = (
-        0.0 if (abs(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 * s2_mm))) <= pose_slack1
-        and (abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1)) else v34
+    v35 = (
+        0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m * factor2_m))) + (v27 + a2 *
+        (S2_mm * factor2_m)))) <= pose_slack1) else v28
     )
 
     # joint values
-    v40 = angle1_____ - offset2
-    v41 = angle1______ - offset2
-    v42 = angle1_______ - offset2
-    v43 = angle1________ - offset2
-    v44 = angle1_ - (angle1___ + angle1_____) - offset4
-    v45 = angle1_ - (angle1______ - angle1___) - offset4
-    v46 = offset4 + (angle1_ + (angle1____ + angle1_______))
-    v47 = offset4 + (angle1_ + (angle1________ - angle1____))
-    v48 = v44 - (m5 if half_turn < v44 else 0.0) + (m5 if v44 <= -half_turn else 0.0)
-    v49 = v45 - (m5 if half_turn < v45 else 0.0) + (m5 if v45 <= -half_turn else 0.0)
-    v50 = (m5 if -v46 <= -half_turn else 0.0) - (v46 + (m5 if half_turn < -v46 else 0.0))
-    v51 = (m5 if -v47 <= -half_turn else 0.0) - (v47 + (m5 if half_turn < -v47 else 0.0))
-    v52 = v35 + (angle1 + v11)
-    v53 = v35 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v36 + v52
-    q1_pm = v37 + v52
-    q1_mp = v38 + v53
-    q1_mm = v39 + v53
-    q2_pp = v36 + (v35 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
-    q2_pm = v37 + (v35 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
-    q2_mp = v38 + (v35 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
-    q2_mm = v39 + (v35 + (v43 + (m5 if v43 <= -half_turn else 0.0)))
-    q3_pp = v36 + (angle1___ + v35)
-    q3_pm = v37 + (v35 - angle1___)
-    q3_mp = v38 + (angle1____ + v35)
-    q3_mm = v39 + (v35 - angle1____)
-    q4_pp = v36 + (v35 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
-    q4_pm = v37 + (v35 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
-    q4_mp = v38 + (v35 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
-    q4_mm = v39 + (v35 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
-    v54 = v35 + (angle1__ + v11)
-    v55 = v35 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
-    q5_pp = v36 + v54
-    q5_pm = v37 + v54
-    q5_mp = v38 + v55
-    q5_mm = v39 + v55
-    doubt = (
-        free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm or
-        (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach <= N3_m and
-        N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v4 <= m3 or (free234 or v1 <= m1)))))))
+    v36 = angle1_____ - offset2
+    v37 = angle1______ - offset2
+    v38 = angle1_______ - offset2
+    v39 = angle1________ - offset2
+    v40 = angle1_ - (angle1___ + angle1_____) - offset4
+    v41 = angle1_ - (angle1______ - angle1___) - offset4
+    v42 = offset4 + (angle1_ + (angle1____ + angle1_______))
+    v43 = offset4 + (angle1_ + (angle1________ - angle1____))
+    v44 = v40 - (m8 if half_turn < v40 else 0.0) + (m8 if v40 <= -half_turn else 0.0)
+    v45 = v41 - (m8 if half_turn < v41 else 0.0) + (m8 if v41 <= -half_turn else 0.0)
+    v46 = (m8 if -v42 <= -half_turn else 0.0) - (v42 + (m8 if half_turn < -v42 else 0.0))
+    v47 = (m8 if -v43 <= -half_turn else 0.0) - (v43 + (m8 if half_turn < -v43 else 0.0))
+    v48 = v29 + (angle1 + v11)
+    v49 = v29 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v32 + v48
+    q1_pm = v33 + v48
+    q1_mp = v34 + v49
+    q1_mm = v35 + v49
+    q2_pp = v32 + (v29 + (v36 + (m8 if v36 <= -half_turn else 0.0)))
+    q2_pm = v33 + (v29 + (v37 + (m8 if v37 <= -half_turn else 0.0)))
+    q2_mp = v34 + (v29 + (v38 + (m8 if v38 <= -half_turn else 0.0)))
+    q2_mm = v35 + (v29 + (v39 + (m8 if v39 <= -half_turn else 0.0)))
+    q3_pp = v32 + (angle1___ + v29)
+    q3_pm = v33 + (v29 - angle1___)
+    q3_mp = v34 + (angle1____ + v29)
+    q3_mm = v35 + (v29 - angle1____)
+    q4_pp = v32 + (v29 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
+    q4_pm = v33 + (v29 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
+    q4_mp = v34 + (v29 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
+    q4_mm = v35 + (v29 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
+    v50 = v29 + (angle1__ + v11)
+    v51 = v29 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    q5_pp = v32 + v50
+    q5_pm = v33 + v50
+    q5_mp = v34 + v51
+    q5_mm = v35 + v51
+    doubt1 = (
+        v2 <= m3 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
+        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+        free_limit_squared2 or (v4 <= m3 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -982,7 +951,6 @@ def _in_tiles(T, q, status):
             s1 = T24 * factor1
             Z2_234 = c1 * T13 + s1 * T23
             v2 = T33 * T33 + Z2_234 * Z2_234
-            free234 = v2 <= m3
             factor234 = 1.0 / math.sqrt(v2)
             v3 = T33 * factor234
             s234 = Z2_234 * factor234
@@ -1000,111 +968,74 @@ def _in_tiles(T, q, status):
             v10 = Z1_3 * Z1_3
             N3_p = v10 + Z2_3_p * Z2_3_p
             N3_m = v10 + Z2_3_m * Z2_3_m
-            K3_p = N3_p - k1
-            K3_m = N3_m - k1
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
             v11 = w3_p - w3_p
             v12 = w3_m - w3_m
-            s3_p = k2 * w3_p
-            s3_m = k2 * w3_m
-            c3_p = k2 * K3_p
-            c3_m = k2 * K3_m
-            X1_2_p = a2 + a3 * c3_p
-            X1_2_m = a2 + a3 * c3_m
-            Y1_2_p = a3 * s3_p
-            Y1_2_m = a3 * s3_m
-            v13 = Z1_3 * X1_2_p
-            v14 = Z1_3 * X1_2_m
-            v15 = Z2_3_p * Y1_2_p
-            v16 = Z2_3_m * Y1_2_m
-            S2_pp = v13 - v15
-            S2_pm = v13 + v15
-            S2_mp = v14 - v16
-            S2_mm = v14 + v16
-            v17 = Z2_3_p * X1_2_p
-            v18 = Z2_3_m * X1_2_m
-            v19 = Z1_3 * Y1_2_p
-            v20 = Z1_3 * Y1_2_m
-            C2_pp = v17 + v19
-            C2_pm = v17 - v19
-            C2_mp = v18 + v20
-            C2_mm = v18 - v20
-            v21 = S2_pp * S2_pp + C2_pp * C2_pp
-            v22 = S2_pm * S2_pm + C2_pm * C2_pm
-            v23 = S2_mp * S2_mp + C2_mp * C2_mp
-            v24 = S2_mm * S2_mm + C2_mm * C2_mm
-            free2_pp = v21 <= m4
-            free2_pm = v22 <= m4
-            free2_mp = v23 <= m4
-            free2_mm = v24 <= m4
-            factor2_pp = 1.0 / math.sqrt(v21)
-            factor2_pm = 1.0 / math.sqrt(v22)
-            factor2_mp = 1.0 / math.sqrt(v23)
-            factor2_mm = 1.0 / math.sqrt(v24)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            c2_mm = C2_mm * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            v25 = c1 * v3
-            v26 = a1 + v9
-            v27 = a1 - v9
-            v28 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v26 + a2 * c2_pp)
-            v29 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v26 + a2 * c2_pm)
-            v30 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v27 + a2 * c2_mp)
-            v31 = a3 * (c3_m * c2_mm + s3_m * s2_mm) + (v27 + a2 * c2_mm)
-            v32 = s1 * v3
-            v33 = d1 + v8
-            v34 = math.sqrt(-1.0)
-            v35 = (
+            v13 = m5 + m4 * N3_p
+            v14 = m5 + m4 * N3_m
+            v15 = Z1_3 * v13
+            v16 = Z1_3 * v14
+            S2_pp = v15 - w3_p * (m4 * Z2_3_p)
+            S2_pm = v15 - w3_p * (m4 * -Z2_3_p)
+            S2_mp = v16 - w3_m * (m4 * Z2_3_m)
+            S2_mm = v16 - w3_m * (m4 * -Z2_3_m)
+            v17 = m4 * Z1_3
+            v18 = m4 * -Z1_3
+            v19 = Z2_3_p * v13
+            v20 = Z2_3_m * v14
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v21 = c1 * v3
+            v22 = Z1_3 * (m6 - m7 * factor2_p)
+            v23 = Z1_3 * (m6 - m7 * factor2_m)
+            v24 = Z2_3_p + (a1 + v9)
+            v25 = Z2_3_m + (a1 - v9)
+            v26 = s1 * v3
+            v27 = d1 + v8
+            v28 = math.sqrt(-1.0)
+            v29 = (
                 0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and
                 (abs(T31 + s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and
-                (abs(T22 + (v7 * v32 - c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v32 + c1 * v7))
-                <= pose_slack and (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (v6 * v25 - s1
-                * v7)) <= pose_slack and abs(T12 + (s1 * v6 + v7 * v25)) <= pose_slack)))))))) else
-                v34
+                (abs(T22 + (v7 * v26 - c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v26 + c1 * v7))
+                <= pose_slack and (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (v6 * v21 - s1
+                * v7)) <= pose_slack and abs(T12 + (s1 * v6 + v7 * v21)) <= pose_slack)))))))) else
+                v28
             )
-            v36 = (
-                0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v33 + a2 * s2_pp))) <=
-                pose_slack1 and (abs(T14 - c1 * v28) <= pose_slack1 and abs(T24 - s1 * v28) <=
-                pose_slack1)) else v34
+            v30 = abs(T14 - c1 * v24) <= pose_slack1 and abs(T24 - s1 * v24) <= pose_slack1
+            v31 = abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1
+            v32 = (
+                0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v27 +
+                a2 * (S2_pp * factor2_p)))) <= pose_slack1) else v28
             )
-            v37 = (
-                0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v33 + a2 * s2_pm))) <=
-                pose_slack1 and (abs(T14 - c1 * v29) <= pose_slack1 and abs(T24 - s1 * v29) <=
-                pose_slack1)) else v34
+            v33 = (
+                0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v27 +
+                a2 * (S2_pm * factor2_p)))) <= pose_slack1) else v28
             )
-            v38 = (
-                0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v33 + a2 * s2_mp))) <=
-                pose_slack1 and (abs(T14 + c1 * v30) <= pose_slack1 and abs(T24 + s1 * v30) <=
-                pose_slack1)) else v34
+            v34 = (
+                0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m * factor2_m))) + (v27 +
+                a2 * (S2_mp * factor2_m)))) <= pose_slack1) else v28
             )
-            v39 = (
-                0.0 if (abs(T34 - (a3 * (c3_m * s2_mm - s3_m * c2_mm) + (v33 + a2 * s2_mm))) <=
-                pose_slack1 and (abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <=
-                pose_slack1)) else v34
+            v35 = (
+                0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m * factor2_m))) + (v27 +
+                a2 * (S2_mm * factor2_m)))) <= pose_slack1) else v28
             )
-            doubt = (
-                free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm
-                or (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach
-                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m3 or (free234 or v1 <=
-                m1)))))))
+            doubt1 = (
+                v2 <= m3 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
+                and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart) or (N3_p <= free_limit_squared2 or (v4 <= m3 or shortest3_reach <=
+                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
             )
             work[544 + k] = S5
             work[576 + k] = v11
             work[608 + k] = v12
-            work[640 + k] = v35
-            work[672 + k] = v36
-            work[704 + k] = v37
-            work[736 + k] = v38
-            work[768 + k] = v39
-            work[800 + k] = doubt
+            work[640 + k] = v29
+            work[672 + k] = v32
+            work[704 + k] = v33
+            work[736 + k] = v34
+            work[768 + k] = v35
+            work[800 + k] = doubt1
             work[832 + k] = T24
             work[864 + k] = Z2_234
             work[896 + k] = -S5
@@ -1117,12 +1048,12 @@ def _in_tiles(T, q, status):
             work[1120 + k] = T14
             work[1152 + k] = -T33
             work[1184 + k] = -C5
-            work[1216 + k] = K3_p
-            work[1248 + k] = K3_m
-            work[1280 + k] = C2_pp
-            work[1312 + k] = C2_pm
-            work[1344 + k] = C2_mp
-            work[1376 + k] = C2_mm
+            work[1216 + k] = N3_p - k1
+            work[1248 + k] = N3_m - k1
+            work[1280 + k] = v19 + w3_p * v17
+            work[1312 + k] = v19 + w3_p * v18
+            work[1344 + k] = v20 + w3_m * v17
+            work[1376 + k] = v20 + w3_m * v18
         for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
@@ -1130,12 +1061,12 @@ def _in_tiles(T, q, status):
             S5 = work[544 + k]
             v11 = work[576 + k]
             v12 = work[608 + k]
-            v35 = work[640 + k]
-            v36 = work[672 + k]
-            v37 = work[704 + k]
-            v38 = work[736 + k]
-            v39 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v29 = work[640 + k]
+            v32 = work[672 + k]
+            v33 = work[704 + k]
+            v34 = work[736 + k]
+            v35 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1145,42 +1076,42 @@ def _in_tiles(T, q, status):
             angle1______ = work[1024 + k]
             angle1_______ = work[1056 + k]
             angle1________ = work[1088 + k]
-            v40 = angle1_____ - offset2
-            v41 = angle1______ - offset2
-            v42 = angle1_______ - offset2
-            v43 = angle1________ - offset2
-            v44 = angle1_ - (angle1___ + angle1_____) - offset4
-            v45 = angle1_ - (angle1______ - angle1___) - offset4
-            v46 = offset4 + (angle1_ + (angle1____ + angle1_______))
-            v47 = offset4 + (angle1_ + (angle1________ - angle1____))
-            v48 = v44 - (m5 if half_turn < v44 else 0.0) + (m5 if v44 <= -half_turn else 0.0)
-            v49 = v45 - (m5 if half_turn < v45 else 0.0) + (m5 if v45 <= -half_turn else 0.0)
-            v50 = (m5 if -v46 <= -half_turn else 0.0) - (v46 + (m5 if half_turn < -v46 else 0.0))
-            v51 = (m5 if -v47 <= -half_turn else 0.0) - (v47 + (m5 if half_turn < -v47 else 0.0))
-            v52 = v35 + (angle1 + v11)
-            v53 = v35 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v36 + v52
-            q1_pm = v37 + v52
-            q1_mp = v38 + v53
-            q1_mm = v39 + v53
-            q2_pp = v36 + (v35 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
-            q2_pm = v37 + (v35 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
-            q2_mp = v38 + (v35 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
-            q2_mm = v39 + (v35 + (v43 + (m5 if v43 <= -half_turn else 0.0)))
-            q3_pp = v36 + (angle1___ + v35)
-            q3_pm = v37 + (v35 - angle1___)
-            q3_mp = v38 + (angle1____ + v35)
-            q3_mm = v39 + (v35 - angle1____)
-            q4_pp = v36 + (v35 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
-            q4_pm = v37 + (v35 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
-            q4_mp = v38 + (v35 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
-            q4_mm = v39 + (v35 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
-            v54 = v35 + (angle1__ + v11)
-            v55 = v35 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
-            q5_pp = v36 + v54
-            q5_pm = v37 + v54
-            q5_mp = v38 + v55
-            q5_mm = v39 + v55
+            v36 = angle1_____ - offset2
+            v37 = angle1______ - offset2
+            v38 = angle1_______ - offset2
+            v39 = angle1________ - offset2
+            v40 = angle1_ - (angle1___ + angle1_____) - offset4
+            v41 = angle1_ - (angle1______ - angle1___) - offset4
+            v42 = offset4 + (angle1_ + (angle1____ + angle1_______))
+            v43 = offset4 + (angle1_ + (angle1________ - angle1____))
+            v44 = v40 - (m8 if half_turn < v40 else 0.0) + (m8 if v40 <= -half_turn else 0.0)
+            v45 = v41 - (m8 if half_turn < v41 else 0.0) + (m8 if v41 <= -half_turn else 0.0)
+            v46 = (m8 if -v42 <= -half_turn else 0.0) - (v42 + (m8 if half_turn < -v42 else 0.0))
+            v47 = (m8 if -v43 <= -half_turn else 0.0) - (v43 + (m8 if half_turn < -v43 else 0.0))
+            v48 = v29 + (angle1 + v11)
+            v49 = v29 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v32 + v48
+            q1_pm = v33 + v48
+            q1_mp = v34 + v49
+            q1_mm = v35 + v49
+            q2_pp = v32 + (v29 + (v36 + (m8 if v36 <= -half_turn else 0.0)))
+            q2_pm = v33 + (v29 + (v37 + (m8 if v37 <= -half_turn else 0.0)))
+            q2_mp = v34 + (v29 + (v38 + (m8 if v38 <= -half_turn else 0.0)))
+            q2_mm = v35 + (v29 + (v39 + (m8 if v39 <= -half_turn else 0.0)))
+            q3_pp = v32 + (angle1___ + v29)
+            q3_pm = v33 + (v29 - angle1___)
+            q3_mp = v34 + (angle1____ + v29)
+            q3_mm = v35 + (v29 - angle1____)
+            q4_pp = v32 + (v29 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
+            q4_pm = v33 + (v29 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
+            q4_mp = v34 + (v29 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
+            q4_mm = v35 + (v29 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
+            v50 = v29 + (angle1__ + v11)
+            v51 = v29 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            q5_pp = v32 + v50
+            q5_pm = v33 + v50
+            q5_mp = v34 + v51
+            q5_mm = v35 + v51
             _1408 = q1_pp
             work[1408 + k] = _1408
             _1440 = q2_pp
@@ -1225,7 +1156,7 @@ def _in_tiles(T, q, status):
             work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
             work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
             work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

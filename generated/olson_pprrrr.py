@@ -553,55 +553,48 @@ def _regular(pose, q, status):
     v6 = X5 * v3
     v7 = Y5 * v3
     v8 = X5 * w5
-    v9 = v7 + v8
-    v10 = v7 - v8
-    v11 = Y5 * w5
-    v12 = v11 - v6
-    v13 = v6 + v11
-    angle1___ = _atan2(v12, -v9)
-    angle1____ = _atan2(-v13, -v10)
-    angle1_____ = _atan2(-v13, v10)
-    angle1______ = _atan2(v12, v9)
+    v9 = Y5 * w5
+    v10 = v9 - v6
+    v11 = v7 + v8
+    angle1___ = _atan2(v10, -v11)
+    v12 = v7 - v8
+    angle1____ = _atan2(-(v6 + v9), -v12)
+    angle1_____ = _atan2(-(v6 + v9), v12)
+    angle1______ = _atan2(v10, v11)
 
     # r2, type 1: U0 A6^-1 [1, 4]
-    wx = T14 - d6 * T13
-    v14 = w3 * (inverse5 * v12) - T33 * (inverse5 * v9)
-    v15 = w3 * (inverse5 * v13)
-    v16 = v15 + T33 * (inverse5 * v10)
-    v17 = v15 - T33 * (inverse5 * -v10)
-    v18 = a4 * v2
-    q2_pp = wx - v14 * v18
-    q2_pm = wx + v16 * v18
-    q2_mp = wx + v17 * v18
-    q2_mm = wx + -v14 * v18
+    v13 = a4 * v2
+    v14 = T33 * X5 - w3 * Y5
+    v15 = w3 * v6 + T33 * v7
+    v16 = T14 - d6 * T13 + inverse5 * (v13 * v15)
+    q2_pp = v16 + w5 * (inverse5 * (v13 * v14))
+    q2_pm = v16 + w5 * (inverse5 * (v13 * -v14))
 
     # r1, type 1: U0 A6^-1 [2, 4]
-    wy = T24 - d6 * T23
-    v19 = a4 * c3
-    q1_pp = wy - v14 * v19
-    q1_pm = wy + v16 * v19
-    q1_mp = wy + v17 * v19
-    q1_mm = wy + -v14 * v19
+    v17 = a4 * c3
+    v18 = T24 - d6 * T23 + inverse5 * (v15 * v17)
+    q1_pp = v18 + w5 * (inverse5 * (v14 * v17))
+    q1_pm = v18 + w5 * (inverse5 * (-v14 * v17))
 
     # joint values
-    v20 = angle1_ - angle1___
-    v21 = angle1_ - angle1____
-    v22 = angle1_ + angle1_____
-    v23 = angle1_ + angle1______
-    q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-    q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-    q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-    q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+    v19 = angle1_ - angle1___
+    v20 = angle1_ - angle1____
+    v21 = angle1_ + angle1_____
+    v22 = angle1_ + angle1______
+    q4_pp = v19 - (m4 if half_turn < v19 else 0.0) + (m4 if v19 <= -half_turn else 0.0)
+    q4_pm = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+    q4_mp = (m4 if -v21 <= -half_turn else 0.0) - (v21 + (m4 if half_turn < -v21 else 0.0))
+    q4_mm = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
     q3_pp = angle1 + v5
     q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
     q6_pp = angle1__ + v5
     q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
-    doubt = (
-        -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 * (merge_slack1
-        + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
+    doubt1 = (
+        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or
+        not (merge_slack1 * (merge_slack1 + v4) < D5))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -617,15 +610,15 @@ def _regular(pose, q, status):
     q[1, 4] = angle1____
     q[1, 5] = q6_pp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = q1_mp
-    q[2, 1] = q2_mp
+    q[2, 0] = q1_pm
+    q[2, 1] = q2_pm
     q[2, 2] = q3_mp
     q[2, 3] = q4_mp
     q[2, 4] = angle1_____
     q[2, 5] = q6_mp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = q1_mm
-    q[3, 1] = q2_mm
+    q[3, 0] = q1_pp
+    q[3, 1] = q2_pp
     q[3, 2] = q3_mp
     q[3, 3] = q4_mm
     q[3, 4] = angle1______
@@ -761,12 +754,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1344, 1376, 1408, 1440, 1472, 1504],
-    [1536, 1568, 1408, 1600, 1632, 1504],
-    [1664, 1696, 1728, 1760, 1792, 1824],
-    [1856, 1888, 1728, 1920, 1952, 1824],
+    [1216, 1248, 1280, 1312, 1344, 1376],
+    [1408, 1440, 1280, 1472, 1504, 1376],
+    [1408, 1440, 1536, 1568, 1600, 1632],
+    [1216, 1248, 1536, 1664, 1696, 1632],
 ])
-_KINDS = np.array([1984, 2016, 2048, 2080])
+_KINDS = np.array([1728, 1760, 1792, 1824])
 _LEFT_OVER = 255
 
 
@@ -777,7 +770,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2112)
+    work = np.empty(1856)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -833,57 +826,46 @@ def _in_tiles(T, q, status):
             v6 = X5 * v3
             v7 = Y5 * v3
             v8 = X5 * w5
-            v9 = v7 + v8
-            v10 = v7 - v8
-            v11 = Y5 * w5
-            v12 = v11 - v6
-            v13 = v6 + v11
-            wx = T14 - d6 * T13
-            v14 = w3 * (inverse5 * v12) - T33 * (inverse5 * v9)
-            v15 = w3 * (inverse5 * v13)
-            v16 = v15 + T33 * (inverse5 * v10)
-            v17 = v15 - T33 * (inverse5 * -v10)
-            v18 = a4 * v2
-            q2_pp = wx - v14 * v18
-            q2_pm = wx + v16 * v18
-            q2_mp = wx + v17 * v18
-            q2_mm = wx + -v14 * v18
-            wy = T24 - d6 * T23
-            v19 = a4 * c3
-            q1_pp = wy - v14 * v19
-            q1_pm = wy + v16 * v19
-            q1_mp = wy + v17 * v19
-            q1_mm = wy + -v14 * v19
-            doubt = (
-                -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or not (merge_slack1 *
-                (merge_slack1 + v4) < D5)) or (free5 or (v1 <= m1 or v1 <= m2))
+            v9 = Y5 * w5
+            v10 = v9 - v6
+            v11 = v7 + v8
+            v12 = v7 - v8
+            v13 = a4 * v2
+            v14 = T33 * X5 - w3 * Y5
+            v15 = w3 * v6 + T33 * v7
+            v16 = T14 - d6 * T13 + inverse5 * (v13 * v15)
+            q2_pp = v16 + w5 * (inverse5 * (v13 * v14))
+            q2_pm = v16 + w5 * (inverse5 * (v13 * -v14))
+            v17 = a4 * c3
+            v18 = T24 - d6 * T23 + inverse5 * (v15 * v17)
+            q1_pp = v18 + w5 * (inverse5 * (v14 * v17))
+            q1_pm = v18 + w5 * (inverse5 * (-v14 * v17))
+            doubt1 = (
+                v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v4)) <= D5 and
+                (free5 or not (merge_slack1 * (merge_slack1 + v4) < D5))))
             )
             work[544 + k] = Z2_6
             work[576 + k] = v5
             work[608 + k] = q2_pp
             work[640 + k] = q2_pm
-            work[672 + k] = q2_mp
-            work[704 + k] = q2_mm
-            work[736 + k] = q1_pp
-            work[768 + k] = q1_pm
-            work[800 + k] = q1_mp
-            work[832 + k] = q1_mm
-            work[864 + k] = doubt
-            work[896 + k] = -T13
-            work[928 + k] = -w3
-            work[960 + k] = -Z2_6
-            work[992 + k] = v12
-            work[1024 + k] = -v13
-            work[1056 + k] = -v13
-            work[1088 + k] = v12
-            work[1120 + k] = T23
-            work[1152 + k] = -T33
-            work[1184 + k] = -Z1_6
-            work[1216 + k] = -v9
-            work[1248 + k] = -v10
-            work[1280 + k] = v10
-            work[1312 + k] = v9
-        for k in range(896, 1120):
+            work[672 + k] = q1_pp
+            work[704 + k] = q1_pm
+            work[736 + k] = doubt1
+            work[768 + k] = -T13
+            work[800 + k] = -w3
+            work[832 + k] = -Z2_6
+            work[864 + k] = v10
+            work[896 + k] = -(v6 + v9)
+            work[928 + k] = -(v6 + v9)
+            work[960 + k] = v10
+            work[992 + k] = T23
+            work[1024 + k] = -T33
+            work[1056 + k] = -Z1_6
+            work[1088 + k] = -v11
+            work[1120 + k] = -v12
+            work[1152 + k] = v12
+            work[1184 + k] = v11
+        for k in range(768, 992):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
             T13 = work[64 + k]
@@ -891,77 +873,65 @@ def _in_tiles(T, q, status):
             v5 = work[576 + k]
             q2_pp = work[608 + k]
             q2_pm = work[640 + k]
-            q2_mp = work[672 + k]
-            q2_mm = work[704 + k]
-            q1_pp = work[736 + k]
-            q1_pm = work[768 + k]
-            q1_mp = work[800 + k]
-            q1_mm = work[832 + k]
-            doubt = work[864 + k] != 0.0
-            angle1 = work[896 + k]
-            angle1_ = work[928 + k]
-            angle1__ = work[960 + k]
-            angle1___ = work[992 + k]
-            angle1____ = work[1024 + k]
-            angle1_____ = work[1056 + k]
-            angle1______ = work[1088 + k]
-            v20 = angle1_ - angle1___
-            v21 = angle1_ - angle1____
-            v22 = angle1_ + angle1_____
-            v23 = angle1_ + angle1______
-            q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-            q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-            q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-            q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+            q1_pp = work[672 + k]
+            q1_pm = work[704 + k]
+            doubt1 = work[736 + k] != 0.0
+            angle1 = work[768 + k]
+            angle1_ = work[800 + k]
+            angle1__ = work[832 + k]
+            angle1___ = work[864 + k]
+            angle1____ = work[896 + k]
+            angle1_____ = work[928 + k]
+            angle1______ = work[960 + k]
+            v19 = angle1_ - angle1___
+            v20 = angle1_ - angle1____
+            v21 = angle1_ + angle1_____
+            v22 = angle1_ + angle1______
+            q4_pp = v19 - (m4 if half_turn < v19 else 0.0) + (m4 if v19 <= -half_turn else 0.0)
+            q4_pm = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+            q4_mp = (m4 if -v21 <= -half_turn else 0.0) - (v21 + (m4 if half_turn < -v21 else 0.0))
+            q4_mm = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
             q3_pp = angle1 + v5
             q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
             q6_pp = angle1__ + v5
             q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
-            _1344 = q1_pp
+            _1216 = q1_pp
+            work[1216 + k] = _1216
+            _1248 = q2_pp
+            work[1248 + k] = _1248
+            _1280 = q3_pp
+            work[1280 + k] = _1280
+            _1312 = q4_pp
+            work[1312 + k] = _1312
+            _1344 = angle1___
             work[1344 + k] = _1344
-            _1376 = q2_pp
+            _1376 = q6_pp
             work[1376 + k] = _1376
-            _1408 = q3_pp
+            _1408 = q1_pm
             work[1408 + k] = _1408
-            _1440 = q4_pp
+            _1440 = q2_pm
             work[1440 + k] = _1440
-            _1472 = angle1___
+            _1472 = q4_pm
             work[1472 + k] = _1472
-            _1504 = q6_pp
+            _1504 = angle1____
             work[1504 + k] = _1504
-            _1536 = q1_pm
+            _1536 = q3_mp
             work[1536 + k] = _1536
-            _1568 = q2_pm
+            _1568 = q4_mp
             work[1568 + k] = _1568
-            _1600 = q4_pm
+            _1600 = angle1_____
             work[1600 + k] = _1600
-            _1632 = angle1____
+            _1632 = q6_mp
             work[1632 + k] = _1632
-            _1664 = q1_mp
+            _1664 = q4_mm
             work[1664 + k] = _1664
-            _1696 = q2_mp
+            _1696 = angle1______
             work[1696 + k] = _1696
-            _1728 = q3_mp
-            work[1728 + k] = _1728
-            _1760 = q4_mp
-            work[1760 + k] = _1760
-            _1792 = angle1_____
-            work[1792 + k] = _1792
-            _1824 = q6_mp
-            work[1824 + k] = _1824
-            _1856 = q1_mm
-            work[1856 + k] = _1856
-            _1888 = q2_mm
-            work[1888 + k] = _1888
-            _1920 = q4_mm
-            work[1920 + k] = _1920
-            _1952 = angle1______
-            work[1952 + k] = _1952
-            work[1984 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[2016 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2080 + k] = UNREACHABLE if _1856 != _1856 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[1728 + k] = UNREACHABLE if _1216 != _1216 else OK
+            work[1760 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1792 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[1824 + k] = UNREACHABLE if _1216 != _1216 else OK
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

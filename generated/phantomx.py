@@ -67,7 +67,7 @@ k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / (2 * a3 * a2) [mm^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 1.5882300624999998e-38  # free_limit_squared2^2 [mm^4]
+m2 = 0.004761904761904762  # a coefficient of S2
 m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -540,7 +540,6 @@ def _regular(pose, q, status):
 
     # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
     v4 = T33 * T33 + T31 * T31
-    free2m3m4 = v4 <= m1
     factor2m3m4 = 1.0 / math.sqrt(v4)
     v5 = T31 * factor2m3m4
     s2m3m4 = T33 * factor2m3m4
@@ -552,82 +551,65 @@ def _regular(pose, q, status):
     v7 = a4 * v5
     Z2_3 = s1 * T24 - v3 * T14 - v7
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-    K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    s3 = k2 * w3
-    c3 = k2 * K3
-    angle1_ = _atan2(w3, K3)
+    angle1_ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v8 = a3 * s3
-    X2_2 = a2 + a3 * c3
-    v9 = Z1_3 * X2_2
-    v10 = Z2_3 * v8
-    S2_p = v9 - v10
-    S2_m = v9 + v10
-    v11 = Z2_3 * X2_2
-    v12 = Z1_3 * v8
-    v13 = v11 + v12
-    v14 = v11 - v12
-    v15 = S2_p * S2_p + v13 * v13
-    v16 = S2_m * S2_m + v14 * v14
-    free2_p = v15 <= m2
-    free2_m = v16 <= m2
-    factor2_p = 1.0 / math.sqrt(v15)
-    factor2_m = 1.0 / math.sqrt(v16)
-    v17 = v13 * factor2_p
-    v18 = v14 * factor2_m
-    s2_p = S2_p * factor2_p
-    s2_m = S2_m * factor2_m
-    angle1__ = _atan2(S2_p, -v13)
-    angle1___ = _atan2(S2_m, -v14)
+    v8 = w3 * (m2 * Z2_3)
+    v9 = w3 * (m2 * -Z2_3)
+    v10 = m2 * (Z1_3 * N3)
+    S2_p = v10 - v8
+    S2_m = v10 - v9
+    v11 = m2 * (Z2_3 * N3)
+    factor2 = 1.0 / N3
+    angle1__ = _atan2(S2_p, -(v11 + w3 * (m2 * Z1_3)))
+    angle1___ = _atan2(S2_m, -(v11 + w3 * (m2 * -Z1_3)))
 
     # is the pose one that the arm can take?
-    v19 = a3 * (s3 * s2_p - c3 * v17) - (v7 + a2 * v17)
-    v20 = a3 * (s3 * s2_m + c3 * v18) + (v7 + a2 * v18)
-    v21 = d1 + v6
-    v22 = math.sqrt(-1.0)
-    v23 = (
+    v12 = -Z2_3 - v7
+    v13 = d1 + v6
+    v14 = math.sqrt(-1.0)
+    v15 = (
         0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 - T33) <=
         pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <= pose_slack and
         (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack and (abs(T13 + v3 * v5)
-        <= pose_slack and abs(T11 - v3 * s2m3m4) <= pose_slack)))))))) else v22
+        <= pose_slack and abs(T11 - v3 * s2m3m4) <= pose_slack)))))))) else v14
     )
-    v24 = (
-        0.0 if (abs(T34 - (a3 * (c3 * s2_p + s3 * v17) + (v21 + a2 * s2_p))) <= pose_slack1 and
-        (abs(T14 - v3 * v19) <= pose_slack1 and abs(T24 + s1 * v19) <= pose_slack1)) else v22
+    v16 = abs(T14 - v3 * v12) <= pose_slack1 and abs(T24 + s1 * v12) <= pose_slack1
+    v17 = (
+        0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v8 + v10)))) <=
+        pose_slack1) else v14
     )
-    v25 = (
-        0.0 if (abs(T34 - (a3 * (c3 * s2_m - s3 * v18) + (v21 + a2 * s2_m))) <= pose_slack1 and
-        (abs(T14 + v3 * v20) <= pose_slack1 and abs(T24 - s1 * v20) <= pose_slack1)) else v22
+    v18 = (
+        0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v9 + v10)))) <=
+        pose_slack1) else v14
     )
 
     # joint values
-    v26 = angle1__ - offset2
-    v27 = angle1___ - offset2
-    v28 = angle1__ - angle1_ - angle1
-    v29 = angle1_ + angle1___ - angle1
+    v19 = angle1__ - offset2
+    v20 = angle1___ - offset2
+    v21 = angle1__ - angle1_ - angle1
+    v22 = angle1_ + angle1___ - angle1
     angle1____ = _atan2(T12, -T22)
-    v30 = v23 + (angle1____ + (w3 - w3))
-    q1_p = v24 + v30
-    q1_m = v25 + v30
-    q2_p = v24 + (v23 + (v26 + (m3 if v26 <= -half_turn else 0.0)))
-    q2_m = v25 + (v23 + (v27 + (m3 if v27 <= -half_turn else 0.0)))
-    q3_p = v24 + (angle1_ + v23)
-    q3_m = v25 + (v23 - angle1_)
+    v23 = v15 + (angle1____ + (w3 - w3))
+    q1_p = v17 + v23
+    q1_m = v18 + v23
+    q2_p = v17 + (v15 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
+    q2_m = v18 + (v15 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
+    q3_p = v17 + (angle1_ + v15)
+    q3_m = v18 + (v15 - angle1_)
     q4_p = (
-        v24 + (v23 + (v28 - (m3 if half_turn < v28 else 0.0) + (m3 if v28 <= -half_turn else 0.0)))
+        v17 + (v15 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v25 + (v23 + (v29 - (m3 if half_turn < v29 else 0.0) + (m3 if v29 <= -half_turn else 0.0)))
+        v18 + (v15 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
     )
-    doubt = (
-        free2_m or (free2m3m4 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or (free2_p or
-        (free2m3m4 or free2_p)))
+    doubt1 = (
+        v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -822,7 +804,6 @@ def _in_tiles(T, q, status):
             v3 = T22 * v2
             s1 = T12 * v2
             v4 = T33 * T33 + T31 * T31
-            free2m3m4 = v4 <= m1
             factor2m3m4 = 1.0 / math.sqrt(v4)
             v5 = T31 * factor2m3m4
             s2m3m4 = T33 * factor2m3m4
@@ -831,101 +812,82 @@ def _in_tiles(T, q, status):
             v7 = a4 * v5
             Z2_3 = s1 * T24 - v3 * T14 - v7
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-            K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            s3 = k2 * w3
-            c3 = k2 * K3
-            v8 = a3 * s3
-            X2_2 = a2 + a3 * c3
-            v9 = Z1_3 * X2_2
-            v10 = Z2_3 * v8
-            S2_p = v9 - v10
-            S2_m = v9 + v10
-            v11 = Z2_3 * X2_2
-            v12 = Z1_3 * v8
-            v13 = v11 + v12
-            v14 = v11 - v12
-            v15 = S2_p * S2_p + v13 * v13
-            v16 = S2_m * S2_m + v14 * v14
-            free2_p = v15 <= m2
-            free2_m = v16 <= m2
-            factor2_p = 1.0 / math.sqrt(v15)
-            factor2_m = 1.0 / math.sqrt(v16)
-            v17 = v13 * factor2_p
-            v18 = v14 * factor2_m
-            s2_p = S2_p * factor2_p
-            s2_m = S2_m * factor2_m
-            v19 = a3 * (s3 * s2_p - c3 * v17) - (v7 + a2 * v17)
-            v20 = a3 * (s3 * s2_m + c3 * v18) + (v7 + a2 * v18)
-            v21 = d1 + v6
-            v22 = math.sqrt(-1.0)
-            v23 = (
+            v8 = w3 * (m2 * Z2_3)
+            v9 = w3 * (m2 * -Z2_3)
+            v10 = m2 * (Z1_3 * N3)
+            S2_p = v10 - v8
+            S2_m = v10 - v9
+            v11 = m2 * (Z2_3 * N3)
+            factor2 = 1.0 / N3
+            v12 = -Z2_3 - v7
+            v13 = d1 + v6
+            v14 = math.sqrt(-1.0)
+            v15 = (
                 0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 -
                 T33) <= pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <=
                 pose_slack and (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack
                 and (abs(T13 + v3 * v5) <= pose_slack and abs(T11 - v3 * s2m3m4) <=
-                pose_slack)))))))) else v22
+                pose_slack)))))))) else v14
             )
-            v24 = (
-                0.0 if (abs(T34 - (a3 * (c3 * s2_p + s3 * v17) + (v21 + a2 * s2_p))) <= pose_slack1
-                and (abs(T14 - v3 * v19) <= pose_slack1 and abs(T24 + s1 * v19) <= pose_slack1))
-                else v22
+            v16 = abs(T14 - v3 * v12) <= pose_slack1 and abs(T24 + s1 * v12) <= pose_slack1
+            v17 = (
+                0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v8 +
+                v10)))) <= pose_slack1) else v14
             )
-            v25 = (
-                0.0 if (abs(T34 - (a3 * (c3 * s2_m - s3 * v18) + (v21 + a2 * s2_m))) <= pose_slack1
-                and (abs(T14 + v3 * v20) <= pose_slack1 and abs(T24 - s1 * v20) <= pose_slack1))
-                else v22
+            v18 = (
+                0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v9 +
+                v10)))) <= pose_slack1) else v14
             )
-            doubt = (
-                free2_m or (free2m3m4 or free2_m) or (shortest3_reach <= N3 and N3 <= longest3_reach
-                and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2m3m4 or v1 <= m1) or
-                (free2_p or (free2m3m4 or free2_p)))
+            doubt1 = (
+                v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
+                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3
-            work[576 + k] = v23
-            work[608 + k] = v24
-            work[640 + k] = v25
-            work[672 + k] = doubt
+            work[576 + k] = v15
+            work[608 + k] = v17
+            work[640 + k] = v18
+            work[672 + k] = doubt1
             work[704 + k] = T33
             work[736 + k] = w3
             work[768 + k] = S2_p
             work[800 + k] = S2_m
             work[832 + k] = T12
             work[864 + k] = -T31
-            work[896 + k] = K3
-            work[928 + k] = -v13
-            work[960 + k] = -v14
+            work[896 + k] = N3 - k1
+            work[928 + k] = -(v11 + w3 * (m2 * Z1_3))
+            work[960 + k] = -(v11 + w3 * (m2 * -Z1_3))
             work[992 + k] = -T22
         for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v23 = work[576 + k]
-            v24 = work[608 + k]
-            v25 = work[640 + k]
-            doubt = work[672 + k] != 0.0
+            v15 = work[576 + k]
+            v17 = work[608 + k]
+            v18 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
             angle1_ = work[736 + k]
             angle1__ = work[768 + k]
             angle1___ = work[800 + k]
             angle1____ = work[832 + k]
-            v26 = angle1__ - offset2
-            v27 = angle1___ - offset2
-            v28 = angle1__ - angle1_ - angle1
-            v29 = angle1_ + angle1___ - angle1
-            v30 = v23 + (angle1____ + (w3 - w3))
-            q1_p = v24 + v30
-            q1_m = v25 + v30
-            q2_p = v24 + (v23 + (v26 + (m3 if v26 <= -half_turn else 0.0)))
-            q2_m = v25 + (v23 + (v27 + (m3 if v27 <= -half_turn else 0.0)))
-            q3_p = v24 + (angle1_ + v23)
-            q3_m = v25 + (v23 - angle1_)
+            v19 = angle1__ - offset2
+            v20 = angle1___ - offset2
+            v21 = angle1__ - angle1_ - angle1
+            v22 = angle1_ + angle1___ - angle1
+            v23 = v15 + (angle1____ + (w3 - w3))
+            q1_p = v17 + v23
+            q1_m = v18 + v23
+            q2_p = v17 + (v15 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
+            q2_m = v18 + (v15 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
+            q3_p = v17 + (angle1_ + v15)
+            q3_m = v18 + (v15 - angle1_)
             q4_p = (
-                v24 + (v23 + (v28 - (m3 if half_turn < v28 else 0.0) + (m3 if v28 <= -half_turn else
+                v17 + (v15 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v25 + (v23 + (v29 - (m3 if half_turn < v29 else 0.0) + (m3 if v29 <= -half_turn else
+                v18 + (v15 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
                 0.0)))
             )
             _1024 = q1_p
@@ -946,7 +908,7 @@ def _in_tiles(T, q, status):
             work[1248 + k] = _1248
             work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -61,6 +61,8 @@ f3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
+m1 = 0.15  # a coefficient of s2
+m2 = 0.25980762113533157  # a coefficient of c2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -246,13 +248,17 @@ def _regular(pose, q, status):
     v2 = k2 * V2_2 - k3 * V1_2
     D1 = k4 - v2 * v2
     w2 = math.sqrt(D1)
-    doubt = -k5 <= D1 and not (k6 < D1)
+    doubt1 = -k5 <= D1 and not (k6 < D1)
     q1_p = k7 * (v1 + w2)
     q1_m = k7 * (v1 - w2)
-    angle1 = _atan2(V1_2 - k2 * q1_p, V2_2 - k3 * q1_p)
-    angle1_ = _atan2(V1_2 - k2 * q1_m, V2_2 - k3 * q1_m)
+    v3 = V1_2 - m1 * v1
+    v4 = V2_2 - m2 * v1
+    v5 = m1 * w2
+    v6 = m2 * w2
+    angle1 = _atan2(v3 - v5, v4 - v6)
+    angle1_ = _atan2(v3 + v5, v4 + v6)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = angle1
@@ -425,20 +431,24 @@ def _in_tiles(T, q, status):
             v2 = k2 * V2_2 - k3 * V1_2
             D1 = k4 - v2 * v2
             w2 = math.sqrt(D1)
-            doubt = -k5 <= D1 and not (k6 < D1)
+            doubt1 = -k5 <= D1 and not (k6 < D1)
             q1_p = k7 * (v1 + w2)
             q1_m = k7 * (v1 - w2)
-            work[544 + k] = doubt
+            v3 = V1_2 - m1 * v1
+            v4 = V2_2 - m2 * v1
+            v5 = m1 * w2
+            v6 = m2 * w2
+            work[544 + k] = doubt1
             work[576 + k] = q1_p
             work[608 + k] = q1_m
-            work[640 + k] = V1_2 - k2 * q1_p
-            work[672 + k] = V1_2 - k2 * q1_m
-            work[704 + k] = V2_2 - k3 * q1_p
-            work[736 + k] = V2_2 - k3 * q1_m
+            work[640 + k] = v3 - v5
+            work[672 + k] = v3 + v5
+            work[704 + k] = v4 - v6
+            work[736 + k] = v4 + v6
         for k in range(640, 704):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            doubt = work[544 + k] != 0.0
+            doubt1 = work[544 + k] != 0.0
             q1_p = work[576 + k]
             q1_m = work[608 + k]
             angle1 = work[640 + k]
@@ -453,7 +463,7 @@ def _in_tiles(T, q, status):
             work[864 + k] = _864
             work[896 + k] = UNREACHABLE if _768 != _768 else OK
             work[928 + k] = UNREACHABLE if _832 != _832 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,68 +9,11 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
-static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
-static const double offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low2 = -1e-09; /* lowest value of joint 2 */
-static const double high2 = 1.000000001; /* highest value of joint 2 */
-static const double m1 = 1e-24; /* free_limit1^2 [m^2] */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
-
-const char *const planar_rp_branches[2] = {
-    "forward", "backward",
-};
-
-static const double lowest[2] = { -INFINITY, 0.0 };
-static const double highest[2] = { INFINITY, 1.0 };
-static const int revolute[2] = { 1, 0 };
-/* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[2] = { 1.0, 1.0 };
 
 /* The angle moved by whole turns to (-pi, pi]. */
 static double wrap(double angle)
 {
     return angle - turn * ceil(angle / turn - 0.5);
-}
-
-void planar_rp_fk(const double q[2], double T[16])
-{
-    const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
-    const double T14_ = s1 * q[1];
-    T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = T14_;
-    T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
-    T[8] = 0.0; T[9] = 1.0; T[10] = 0.0; T[11] = 0.0;
-    T[12] = T[13] = T[14] = 0.0;
-    T[15] = 1.0;
-}
-
-void planar_rp_jacobian(const double q[2], double J[12])
-{
-    const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
-    const double J21 = s1 * q[1];
-    const double J11 = c1 * q[1];
-    J[0] = J11; J[1] = s1;
-    J[2] = J21; J[3] = -c1;
-    J[4] = 0.0; J[5] = 0.0;
-    J[6] = 0.0; J[7] = 0.0;
-    J[8] = 0.0; J[9] = 0.0;
-    J[10] = 1.0; J[11] = 0.0;
-}
-
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
-static int read_pose(const double given[16], double T[16])
-{
-    for (int i = 0; i < 16; i++)
-        T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7])))
-        return 0;
-    return 1;
 }
 
 #ifdef __GNUC__
@@ -95,12 +38,24 @@ static const double odd[11] = {
 #include <immintrin.h>
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
 #endif
-#define sqrt_of_four _mm256_sqrt_pd
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
@@ -113,24 +68,15 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
 HELPER four copysign_four(four x, four y)
 {
-    return pick_four((four_mask)all_four(-0.0), y, x);
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
 }
 
 HELPER four abs_four(four x)
 {
     return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
@@ -139,9 +85,8 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
     const four down = pick_four(turned, least + most, most);
@@ -154,7 +99,7 @@ HELPER four atan2_four(four y, four x)
     const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
+    return copysign_four((known + r) + r * u * p, y);
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
@@ -167,24 +112,15 @@ HELPER wide all_wide(double x)
     return x - (wide){ 0 };
 }
 
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
 HELPER wide copysign_wide(wide x, wide y)
 {
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
 }
 
 HELPER wide abs_wide(wide x)
 {
     return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
 }
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
@@ -193,9 +129,8 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
@@ -208,17 +143,20 @@ HELPER wide atan2_wide(wide y, wide x)
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #else
 #define LANES 1
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
 #ifdef PLANAR_RP_LIBM
 #define atan2_wide atan2
 #else
@@ -228,9 +166,8 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
     const wide down = pick_wide(turned, least + most, most);
@@ -243,7 +180,7 @@ HELPER wide atan2_wide(wide y, wide x)
     const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
     const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
     const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
+    return copysign_wide((known + r) + r * u * p, y);
 }
 #endif
 #endif
@@ -252,48 +189,6 @@ HELPER wide atan2_wide(wide y, wide x)
 HELPER wide irregularity_wide(const wide T[16])
 {
     return 0.0 * (T[3] + T[7]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PLANAR_RP_UNREACHABLE) \
-        | (~(none) & (outside) & PLANAR_RP_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)PLANAR_RP_UNREACHABLE \
-        : (outside) ? (int)PLANAR_RP_OUT_OF_LIMITS : 0)
-#endif
-
-/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
- * pose has to be left to `solve`. */
-HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
-{
-    const wide T14 = T[3];
-    const wide T24 = T[7];
-
-    /* theta1, r2 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide q2_p = sqrt_wide(v1);
-    const wide_mask doubt = v1 <= m1;
-
-    /* joint values */
-    const wide angle1 = atan2_wide(T14, -T24);
-    const wide v2 = angle1 - offset1;
-    const wide v3 = angle1 - copysign_wide(all_wide(half_turn), T14) * h1 - offset1;
-    const wide q1_p = v2 + pick_wide(v2 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide q1_m = v3 + pick_wide(v3 <= -half_turn, all_wide(m3), all_wide(0.0));
-    const wide_mask outside_p = (q2_p < low2) | (high2 < q2_p);
-    const wide_mask outside_m = (-q2_p < low2) | (high2 < -q2_p);
-
-    q[0] = q1_p;
-    q[1] = q2_p;
-    kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[2] = q1_m;
-    q[3] = -q2_p;
-    kind[1] = kind_of(q[2] != q[2], outside_m);
-    const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
 }
 
 #if LANES > 1
@@ -344,46 +239,9 @@ HELPER unsigned bits_wide(wide_mask m)
 }
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
+HELPER four irregularity_four(const double T[16])
 {
-    return 0.0 * (T[3] + T[7]);
-}
-
-static const double m2 = 0.5; /* 1 / 2 */
-/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
- * to be left to `solve`. */
-HELPER int solve_regular(const double T[16], double q[2][2], unsigned char status[2])
-{
-    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T14 = T[3];
-    const double T24 = T[7];
-
-    /* theta1, r2 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w2 = sqrt(v1);
-    const int doubt = v1 <= m1;
-
-    /* joint values */
-    const double v2 = copysign(half_turn, T14);
-    const four q2 = e1 * w2;
-    const four_mask outside = (q2 < low2) | (high2 < q2);
-
-    const four packed1 = atan2_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24, -T24 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1;
-    const four q1 = v3 + pick_four(v3 <= -half_turn, all_four(m3), all_four(0.0));
-
-    if (!(irregularity_double(T) <= 1e-24))
-        return -1;
-    if (doubt)
-        return -1;
-    int count = 0;
-    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
-    const four_mask kind1 = kind_of(q1 != q1, outside);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    return count;
+    return all_four(0.0 * (T[3] + T[7]));
 }
 
 /* Rows to columns. */
@@ -416,6 +274,142 @@ HELPER void transpose(wide x[LANES])
     x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
     x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
 #endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PLANAR_RP_UNREACHABLE) \
+        | (~(none) & (outside) & PLANAR_RP_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PLANAR_RP_UNREACHABLE \
+        : (outside) ? (int)PLANAR_RP_OUT_OF_LIMITS : 0)
+#endif
+static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
+static const double offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low2 = -1e-09; /* lowest value of joint 2 */
+static const double high2 = 1.000000001; /* highest value of joint 2 */
+static const double m1 = 1e-24; /* free_limit1^2 [m^2] */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
+
+const char *const planar_rp_branches[2] = {
+    "forward", "backward",
+};
+
+static const double lowest[2] = { -INFINITY, 0.0 };
+static const double highest[2] = { INFINITY, 1.0 };
+static const int revolute[2] = { 1, 0 };
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[2] = { 1.0, 1.0 };
+
+void planar_rp_fk(const double q[2], double T[16])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double T14_ = s1 * q[1];
+    T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = T14_;
+    T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
+    T[8] = 0.0; T[9] = 1.0; T[10] = 0.0; T[11] = 0.0;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void planar_rp_jacobian(const double q[2], double J[12])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double J21 = s1 * q[1];
+    const double J11 = c1 * q[1];
+    J[0] = J11; J[1] = s1;
+    J[2] = J21; J[3] = -c1;
+    J[4] = 0.0; J[5] = 0.0;
+    J[6] = 0.0; J[7] = 0.0;
+    J[8] = 0.0; J[9] = 0.0;
+    J[10] = 1.0; J[11] = 0.0;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7])))
+        return 0;
+    return 1;
+}
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
+{
+    const wide T14 = T[3];
+    const wide T24 = T[7];
+
+    /* theta1, r2 */
+    const wide v1 = T14 * T14 + T24 * T24;
+    const wide q2_p = sqrt_wide(v1);
+    const wide_mask doubt1 = v1 <= m1;
+
+    /* joint values */
+    const wide angle1 = atan2_wide(T14, -T24);
+    const wide v2 = angle1 - offset1;
+    const wide v3 = angle1 - copysign_wide(all_wide(half_turn), T14) * h1 - offset1;
+    const wide q1_p = v2 + pick_wide(v2 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide q1_m = v3 + pick_wide(v3 <= -half_turn, all_wide(m3), all_wide(0.0));
+    const wide_mask outside_p = (q2_p < low2) | (high2 < q2_p);
+    const wide_mask outside_m = (-q2_p < low2) | (high2 < -q2_p);
+
+    q[0] = q1_p;
+    q[1] = q2_p;
+    kind[0] = kind_of(q[0] != q[0], outside_p);
+    q[2] = q1_m;
+    q[3] = -q2_p;
+    kind[1] = kind_of(q[2] != q[2], outside_m);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt1);
+}
+
+#if LANES > 1
+static const double m2 = 0.5; /* 1 / 2 */
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[2][2], unsigned char status[2])
+{
+    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T14 = T[3];
+    const double T24 = T[7];
+
+    /* theta1, r2 */
+    const double v1 = T14 * T14 + T24 * T24;
+    const double w2 = sqrt(v1);
+    const int doubt1 = v1 <= m1;
+
+    /* joint values */
+    const double v2 = copysign(half_turn, T14);
+    const four q2 = e1 * w2;
+    const four_mask outside = (q2 < low2) | (high2 < q2);
+
+    const four packed1 = atan2_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24, -T24 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1;
+    const four q1 = v3 + pick_four(v3 <= -half_turn, all_four(m3), all_four(0.0));
+
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+        return -1;
+    store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * PLANAR_RP_UNREACHABLE + (outside1 & ~none1) *
+        PLANAR_RP_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -235,7 +235,7 @@ def _regular(pose, q, status):
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
 
     # joint values
     angle1 = _atan2(T14, -T24)
@@ -246,7 +246,7 @@ def _regular(pose, q, status):
     outside_p = q2_p < low2 or high2 < q2_p
     outside_m = -q2_p < low2 or high2 < -q2_p
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -415,11 +415,11 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             outside_p = q2_p < low2 or high2 < q2_p
             outside_m = -q2_p < low2 or high2 < -q2_p
             work[544 + k] = q2_p
-            work[576 + k] = doubt
+            work[576 + k] = doubt1
             work[608 + k] = outside_p
             work[640 + k] = outside_m
             work[672 + k] = T14
@@ -429,7 +429,7 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             T14 = work[96 + k]
             q2_p = work[544 + k]
-            doubt = work[576 + k] != 0.0
+            doubt1 = work[576 + k] != 0.0
             outside_p = work[608 + k] != 0.0
             outside_m = work[640 + k] != 0.0
             angle1 = work[672 + k]
@@ -447,7 +447,7 @@ def _in_tiles(T, q, status):
             work[832 + k] = _832
             work[864 + k] = UNREACHABLE if _736 != _736 else (OUT_OF_LIMITS if outside_p else OK)
             work[896 + k] = UNREACHABLE if _800 != _800 else (OUT_OF_LIMITS if outside_m else OK)
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -64,8 +64,11 @@ k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 5.220062499999998e-49  # free_limit_squared2^2 [m^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
+m4 = 1.666666666666667  # a coefficient of c12
+m5 = 0.1166666666666667  # a coefficient of c12
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -473,7 +476,6 @@ def _regular(pose, q, status):
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    free123 = v1 <= m1
     v2 = 1.0 / math.sqrt(v1)
     c123 = T11 * v2
     s123 = T21 * v2
@@ -485,37 +487,25 @@ def _regular(pose, q, status):
     v4 = a3 * s123
     Z2_2 = T24 - v4
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-    K2 = N2 - k1
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    s2 = k2 * w2
-    c2 = k2 * K2
-    angle1_ = _atan2(w2, K2)
+    angle1_ = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    X1_1 = a1 + a2 * c2
-    Y1_1 = a2 * s2
-    v5 = Z2_2 * X1_1
-    v6 = Z1_2 * Y1_1
-    S1_p = v5 - v6
-    S1_m = v5 + v6
-    v7 = Z1_2 * X1_1
-    v8 = Z2_2 * Y1_1
-    C1_p = v7 + v8
-    C1_m = v7 - v8
-    v9 = S1_p * S1_p + C1_p * C1_p
-    v10 = S1_m * S1_m + C1_m * C1_m
-    free1_p = v9 <= m2
-    free1_m = v10 <= m2
-    factor1_p = 1.0 / math.sqrt(v9)
-    factor1_m = 1.0 / math.sqrt(v10)
-    c1_p = C1_p * factor1_p
-    c1_m = C1_m * factor1_m
-    s1_p = S1_p * factor1_p
-    s1_m = S1_m * factor1_m
+    v5 = m3 + m2 * N2
+    v6 = Z2_2 * v5
+    S1_p = v6 - w2 * (m2 * Z1_2)
+    S1_m = v6 - w2 * (m2 * -Z1_2)
+    v7 = Z1_2 * v5
+    C1_p = v7 + w2 * (m2 * Z2_2)
+    C1_m = v7 + w2 * (m2 * -Z2_2)
+    factor1 = 1.0 / N2
     angle1__ = _atan2(S1_p, C1_p)
     angle1___ = _atan2(S1_m, C1_m)
 
     # is the pose one that the arm can take?
+    v8 = m4 - m5 * factor1
+    v9 = Z1_2 * v8
+    v10 = Z2_2 * v8
     v11 = math.sqrt(-1.0)
     v12 = (
         0.0 if (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <=
@@ -524,12 +514,14 @@ def _regular(pose, q, status):
         c123) <= pose_slack and abs(s123 + T12) <= pose_slack))))))))) else v11
     )
     v13 = (
-        0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + (v3 + a1 * c1_p))) <= pose_slack1 and
-        abs(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + (v4 + a1 * s1_p))) <= pose_slack1) else v11
+        0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1))))
+        <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
+        factor1)))) <= pose_slack1) else v11
     )
     v14 = (
-        0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + (v3 + a1 * c1_m))) <= pose_slack1 and
-        abs(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + (v4 + a1 * s1_m))) <= pose_slack1) else v11
+        0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
+        factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 +
+        a1 * (S1_m * factor1)))) <= pose_slack1) else v11
     )
 
     # joint values
@@ -540,18 +532,17 @@ def _regular(pose, q, status):
     q2_p = v13 + (angle1_ + v12)
     q2_m = v14 + (v12 - angle1_)
     q3_p = (
-        v13 + (v12 + (v15 - (m3 if half_turn < v15 else 0.0) + (m3 if v15 <= -half_turn else 0.0)))
+        v13 + (v12 + (v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)))
     )
     q3_m = (
-        v14 + (v12 + (v16 - (m3 if half_turn < v16 else 0.0) + (m3 if v16 <= -half_turn else 0.0)))
+        v14 + (v12 + (v16 - (m6 if half_turn < v16 else 0.0) + (m6 if v16 <= -half_turn else 0.0)))
     )
-    doubt = (
-        free1_m or (free123 or free1_m) or (free123 or shortest2_reach <= N2 and N2 <=
-        longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-        (free123 or free1_p)))
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -740,7 +731,6 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T21 * T21 + T11 * T11
-            free123 = v1 <= m1
             v2 = 1.0 / math.sqrt(v1)
             c123 = T11 * v2
             s123 = T21 * v2
@@ -749,30 +739,18 @@ def _in_tiles(T, q, status):
             v4 = a3 * s123
             Z2_2 = T24 - v4
             N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-            K2 = N2 - k1
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            s2 = k2 * w2
-            c2 = k2 * K2
-            X1_1 = a1 + a2 * c2
-            Y1_1 = a2 * s2
-            v5 = Z2_2 * X1_1
-            v6 = Z1_2 * Y1_1
-            S1_p = v5 - v6
-            S1_m = v5 + v6
-            v7 = Z1_2 * X1_1
-            v8 = Z2_2 * Y1_1
-            C1_p = v7 + v8
-            C1_m = v7 - v8
-            v9 = S1_p * S1_p + C1_p * C1_p
-            v10 = S1_m * S1_m + C1_m * C1_m
-            free1_p = v9 <= m2
-            free1_m = v10 <= m2
-            factor1_p = 1.0 / math.sqrt(v9)
-            factor1_m = 1.0 / math.sqrt(v10)
-            c1_p = C1_p * factor1_p
-            c1_m = C1_m * factor1_m
-            s1_p = S1_p * factor1_p
-            s1_m = S1_m * factor1_m
+            v5 = m3 + m2 * N2
+            v6 = Z2_2 * v5
+            S1_p = v6 - w2 * (m2 * Z1_2)
+            S1_m = v6 - w2 * (m2 * -Z1_2)
+            v7 = Z1_2 * v5
+            C1_p = v7 + w2 * (m2 * Z2_2)
+            C1_m = v7 + w2 * (m2 * -Z2_2)
+            factor1 = 1.0 / N2
+            v8 = m4 - m5 * factor1
+            v9 = Z1_2 * v8
+            v10 = Z2_2 * v8
             v11 = math.sqrt(-1.0)
             v12 = (
                 0.0 if (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <=
@@ -782,30 +760,29 @@ def _in_tiles(T, q, status):
                 v11
             )
             v13 = (
-                0.0 if (abs(T14 - (a2 * (c2 * c1_p - s2 * s1_p) + (v3 + a1 * c1_p))) <= pose_slack1
-                and abs(T24 - (a2 * (c2 * s1_p + s2 * c1_p) + (v4 + a1 * s1_p))) <= pose_slack1)
-                else v11
+                0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
+                factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1)))
+                + (v4 + a1 * (S1_p * factor1)))) <= pose_slack1) else v11
             )
             v14 = (
-                0.0 if (abs(T14 - (a2 * (c2 * c1_m + s2 * s1_m) + (v3 + a1 * c1_m))) <= pose_slack1
-                and abs(T24 - (a2 * (c2 * s1_m - s2 * c1_m) + (v4 + a1 * s1_m))) <= pose_slack1)
-                else v11
+                0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
+                factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1)))
+                + (v4 + a1 * (S1_m * factor1)))) <= pose_slack1) else v11
             )
-            doubt = (
-                free1_m or (free123 or free1_m) or (free123 or shortest2_reach <= N2 and N2 <=
-                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-                (free123 or free1_p)))
+            doubt1 = (
+                shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v12
             work[576 + k] = v13
             work[608 + k] = v14
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = T21
             work[704 + k] = w2
             work[736 + k] = S1_p
             work[768 + k] = S1_m
             work[800 + k] = T11
-            work[832 + k] = K2
+            work[832 + k] = N2 - k1
             work[864 + k] = C1_p
             work[896 + k] = C1_m
         for k in range(672, 800):
@@ -814,7 +791,7 @@ def _in_tiles(T, q, status):
             v12 = work[544 + k]
             v13 = work[576 + k]
             v14 = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle1_ = work[704 + k]
             angle1__ = work[736 + k]
@@ -826,11 +803,11 @@ def _in_tiles(T, q, status):
             q2_p = v13 + (angle1_ + v12)
             q2_m = v14 + (v12 - angle1_)
             q3_p = (
-                v13 + (v12 + (v15 - (m3 if half_turn < v15 else 0.0) + (m3 if v15 <= -half_turn else
+                v13 + (v12 + (v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else
                 0.0)))
             )
             q3_m = (
-                v14 + (v12 + (v16 - (m3 if half_turn < v16 else 0.0) + (m3 if v16 <= -half_turn else
+                v14 + (v12 + (v16 - (m6 if half_turn < v16 else 0.0) + (m6 if v16 <= -half_turn else
                 0.0)))
             )
             _928 = q1_p
@@ -847,7 +824,7 @@ def _in_tiles(T, q, status):
             work[1088 + k] = _1088
             work[1120 + k] = UNREACHABLE if _928 != _928 else OK
             work[1152 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,303 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PRISMATIC_2_WRIST_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPRISMATIC_2_WRIST_SCALAR. With -DPRISMATIC_2_WRIST_LIBM the arctangents are those of <math.h>,
+ * too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PRISMATIC_2_WRIST_SCALAR) && !defined(PRISMATIC_2_WRIST_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef PRISMATIC_2_WRIST_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PRISMATIC_2_WRIST_UNREACHABLE) \
+        | (~(none) & (outside) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PRISMATIC_2_WRIST_UNREACHABLE \
+        : (outside) ? (int)PRISMATIC_2_WRIST_OUT_OF_LIMITS : 0)
+#endif
 static const double a1 = 0.1; /* link length 1 [m] */
 static const double cat2 = 0.9800665778412416; /* cosine of the angle of joint 2 */
 static const double sat2 = 0.19866933079506122; /* sine of the angle of joint 2 */
@@ -32,11 +329,13 @@ static const double f1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double f2 = 0.09800665778412417; /* d3 * cat2 [m] */
 static const double g1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
-static const double turn1 = -1.754739783332072; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-24; /* free_limit^2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double m1 = 11.314168873492461; /* a coefficient of v9 */
+static const double m2 = 0.7750600530519154; /* a coefficient of v9 */
+static const double m3 = 2.1049616508823186; /* a coefficient of v9 */
+static const double m4 = 4.165947785154044; /* a coefficient of s3 */
+static const double m5 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const prismatic_2_wrist_branches[8] = {
     "left-noflip3-noflip4", "left-noflip3-flip4", "left-flip3-noflip4", "left-flip3-flip4",
@@ -213,210 +512,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef PRISMATIC_2_WRIST_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DPRISMATIC_2_WRIST_SCALAR. With -DPRISMATIC_2_WRIST_LIBM the arctangents are those of <math.h>,
- * too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(PRISMATIC_2_WRIST_SCALAR) && !defined(PRISMATIC_2_WRIST_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef PRISMATIC_2_WRIST_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PRISMATIC_2_WRIST_UNREACHABLE) \
-        | (~(none) & (outside) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)PRISMATIC_2_WRIST_UNREACHABLE \
-        : (outside) ? (int)PRISMATIC_2_WRIST_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -441,257 +536,197 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide inverse1 = 1.0 / N1;
     const wide v5 = v1 * Z1;
     const wide v6 = v2 * Z1;
-    const wide v7 = v1 * w1;
-    const wide v8 = v7 - v6;
-    const wide v9 = v6 + v7;
-    const wide c1_p = inverse1 * v8;
-    const wide v10 = inverse1 * v9;
-    const wide v11 = v2 * w1;
-    const wide v12 = v5 + v11;
-    const wide v13 = v5 - v11;
-    const wide v14 = inverse1 * v12;
-    const wide v15 = inverse1 * v13;
+    const wide v7 = inverse1 * v6;
+    const wide v8 = w1 * (v1 * inverse1);
+    const wide c1_p = v8 - v7;
+    const wide v9 = v7 + v8;
+    const wide v10 = inverse1 * v5;
+    const wide v11 = w1 * (v2 * inverse1);
+    const wide v12 = v10 + v11;
+    const wide v13 = v10 - v11;
 
     /* theta3 */
     const wide Z3 = wz - k4;
     const wide D3 = k5 - Z3 * Z3;
-    const wide v16 = 2.0 * abs_wide(Z3);
+    const wide v14 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v17 = w3 - w3;
-    const wide v18 = k2 * Z3;
-    const wide v19 = k3 * Z3;
-    const wide v20 = k2 * w3;
-    const wide v21 = k6 * (v19 + v20);
-    const wide v22 = k6 * (v19 - v20);
-    const wide v23 = k3 * w3;
-    const wide s3_p = k6 * (v18 - v23);
-    const wide s3_m = k6 * (v18 + v23);
-    const wide angle1 = atan2_wide(w3, Z3);
-    const wide q3__p = angle1 - turn1;
-    const wide v24 = turn1 + angle1;
+    const wide v15 = w3 - w3;
+    const wide v16 = m3 * wz - m2;
+    const wide v17 = m1 * w3;
+    const wide v18 = v16 + v17;
+    const wide v19 = v16 - v17;
+    const wide v20 = m1 * wz - m4;
+    const wide v21 = m3 * w3;
+    const wide s3_p = v20 - v21;
+    const wide s3_m = v20 + v21;
 
     /* r2 */
-    const wide v25 = a3 * s3_p - d4 * v21;
-    const wide v26 = a3 * s3_m - d4 * v22;
-    const wide v27 = c1_p * -wy - wx * v14;
-    const wide v28 = v10 * -wy + wx * v15;
+    const wide v22 = a3 * s3_p - d4 * v18;
+    const wide v23 = a3 * s3_m - d4 * v19;
+    const wide v24 = c1_p * -wy - wx * v12;
+    const wide v25 = v9 * -wy + wx * v13;
 
     /* theta4 */
-    const wide v29 = cat2 * T13;
-    const wide v30 = cat2 * T23;
-    const wide v31 = sat2 * T33;
-    const wide v32 = c1_p * v29 - v14 * v30 - v31;
-    const wide v33 = v31 + (v10 * v29 + v15 * v30);
-    const wide v34 = T13 * v14 + T23 * c1_p;
-    const wide v35 = T13 * v15 - T23 * v10;
-    const wide X4_pp = v21 * v32 - s3_p * v34;
-    const wide X4_pm = v22 * v32 - s3_m * v34;
-    const wide v36 = v21 * v33 + s3_p * v35;
-    const wide v37 = v22 * v33 + s3_m * v35;
-    const wide v38 = sat2 * T13;
-    const wide v39 = sat2 * T23;
-    const wide v40 = cat2 * T33;
-    const wide v41 = v40 + (c1_p * v38 - v14 * v39);
-    const wide v42 = v40 - (v10 * v38 + v15 * v39);
-    const wide v43 = v41 * v41;
-    const wide v44 = v42 * v42;
-    const wide v45 = v43 + X4_pp * X4_pp;
-    const wide v46 = v43 + X4_pm * X4_pm;
-    const wide v47 = v44 + v36 * v36;
-    const wide v48 = v44 + v37 * v37;
-    const wide angle1_ = atan2_wide(-v41, -X4_pp);
-    const wide angle1__ = atan2_wide(-v41, -X4_pm);
-    const wide angle1___ = atan2_wide(-v42, v36);
-    const wide angle1____ = atan2_wide(-v42, v37);
-    const wide v49 = copysign_wide(all_wide(half_turn), -v41) * h1;
-    const wide v50 = copysign_wide(all_wide(half_turn), -v42) * h1;
-    const wide q4_ppm = angle1_ - v49;
-    const wide q4_pmm = angle1__ - v49;
-    const wide q4_mpm = angle1___ - v50;
-    const wide q4_mmm = angle1____ - v50;
+    const wide v26 = cat2 * T13;
+    const wide v27 = cat2 * T23;
+    const wide v28 = v1 * v26 - v2 * v27;
+    const wide v29 = sat2 * T33 + inverse1 * (v5 * v27 + v6 * v26);
+    const wide v30 = w1 * (inverse1 * v28) - v29;
+    const wide v31 = w1 * (inverse1 * -v28) - v29;
+    const wide v32 = T13 * v12 + T23 * c1_p;
+    const wide v33 = T13 * v13 - T23 * v9;
+    const wide X4_pp = v18 * v30 - s3_p * v32;
+    const wide X4_pm = v19 * v30 - s3_m * v32;
+    const wide X4_mp = v18 * v31 - s3_p * v33;
+    const wide X4_mm = v19 * v31 - s3_m * v33;
+    const wide v34 = sat2 * T13;
+    const wide v35 = sat2 * T23;
+    const wide v36 = v1 * v34 - v2 * v35;
+    const wide v37 = cat2 * T33 - inverse1 * (v5 * v35 + v6 * v34);
+    const wide v38 = v37 + w1 * (inverse1 * v36);
+    const wide v39 = v37 + w1 * (inverse1 * -v36);
+    const wide v40 = v38 * v38;
+    const wide v41 = v39 * v39;
+    const wide v42 = v40 + X4_pp * X4_pp;
+    const wide v43 = v40 + X4_pm * X4_pm;
+    const wide v44 = v41 + X4_mp * X4_mp;
+    const wide v45 = v41 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v38, -X4_pp);
+    const wide angle1_ = atan2_wide(-v38, -X4_pm);
+    const wide angle1__ = atan2_wide(-v39, -X4_mp);
+    const wide angle1___ = atan2_wide(-v39, -X4_mm);
+    const wide v46 = copysign_wide(all_wide(half_turn), -v38) * h1;
+    const wide v47 = copysign_wide(all_wide(half_turn), -v39) * h1;
+    const wide q4_ppm = angle1 - v46;
+    const wide q4_pmm = angle1_ - v46;
+    const wide q4_mpm = angle1__ - v47;
+    const wide q4_mmm = angle1___ - v47;
 
     /* theta5 */
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v45), -(v21 * v34 + s3_p * v32));
-    const wide angle1______ = atan2_wide(-sqrt_wide(v46), -(v22 * v34 + s3_m * v32));
-    const wide angle1_______ = atan2_wide(-sqrt_wide(v47), s3_p * v33 - v21 * v35);
-    const wide angle1________ = atan2_wide(-sqrt_wide(v48), s3_m * v33 - v22 * v35);
+    const wide angle1____ = atan2_wide(-sqrt_wide(v42), -(v18 * v32 + s3_p * v30));
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v43), -(v19 * v32 + s3_m * v30));
+    const wide angle1______ = atan2_wide(-sqrt_wide(v44), -(v18 * v33 + s3_p * v31));
+    const wide angle1_______ = atan2_wide(-sqrt_wide(v45), -(v19 * v33 + s3_m * v31));
 
     /* theta6 */
-    const wide v51 = sat2 * T12;
-    const wide v52 = sat2 * T22;
-    const wide v53 = cat2 * T32;
-    const wide v54 = v53 + (c1_p * v51 - v14 * v52);
-    const wide v55 = v53 - (v10 * v51 + v15 * v52);
-    const wide v56 = cat2 * T12;
-    const wide v57 = cat2 * T22;
-    const wide v58 = sat2 * T32;
-    const wide v59 = c1_p * v56 - v14 * v57 - v58;
-    const wide v60 = v58 + (v10 * v56 + v15 * v57);
-    const wide v61 = c1_p * T22 + v14 * T12;
-    const wide v62 = v15 * T12 - v10 * T22;
-    const wide v63 = sat2 * T11;
-    const wide v64 = sat2 * T21;
-    const wide v65 = cat2 * T31;
-    const wide v66 = v65 + (c1_p * v63 - v14 * v64);
-    const wide v67 = v65 - (v10 * v63 + v15 * v64);
+    const wide v48 = sat2 * T12;
+    const wide v49 = sat2 * T22;
+    const wide v50 = v1 * v48 - v2 * v49;
+    const wide v51 = cat2 * T32 - inverse1 * (v5 * v49 + v6 * v48);
+    const wide v52 = v51 + w1 * (inverse1 * v50);
+    const wide v53 = v51 + w1 * (inverse1 * -v50);
+    const wide v54 = cat2 * T12;
+    const wide v55 = cat2 * T22;
+    const wide v56 = v1 * v54 - v2 * v55;
+    const wide v57 = sat2 * T32 + inverse1 * (v5 * v55 + v6 * v54);
+    const wide v58 = w1 * (inverse1 * v56) - v57;
+    const wide v59 = w1 * (inverse1 * -v56) - v57;
+    const wide v60 = c1_p * T22 + v12 * T12;
+    const wide v61 = v13 * T12 - v9 * T22;
+    const wide v62 = sat2 * T11;
+    const wide v63 = sat2 * T21;
+    const wide v64 = v1 * v62 - v2 * v63;
+    const wide v65 = cat2 * T31 - inverse1 * (v5 * v63 + v6 * v62);
+    const wide v66 = v65 + w1 * (inverse1 * v64);
+    const wide v67 = v65 + w1 * (inverse1 * -v64);
     const wide v68 = cat2 * T11;
     const wide v69 = cat2 * T21;
-    const wide v70 = sat2 * T31;
-    const wide v71 = c1_p * v68 - v14 * v69 - v70;
-    const wide v72 = v70 + (v10 * v68 + v15 * v69);
-    const wide v73 = c1_p * T21 + v14 * T11;
-    const wide v74 = v15 * T11 - v10 * T21;
-    const wide v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66;
-    const wide v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66;
-    const wide v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67;
-    const wide v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67;
-    const wide angle1_________ = atan2_wide(v75, v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54);
-    const wide angle1__________ = atan2_wide(v76, v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54);
-    const wide angle1___________ = atan2_wide(v77, v42 * (s3_p * v62 + v21 * v60) - v36 * v55);
-    const wide angle1____________ = atan2_wide(v78, v42 * (s3_m * v62 + v22 * v60) - v37 * v55);
-    const wide q6_ppm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v75);
-    const wide q6_pmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v76);
-    const wide q6_mpm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v77);
-    const wide q6_mmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), v78);
+    const wide v70 = v1 * v68 - v2 * v69;
+    const wide v71 = sat2 * T31 + inverse1 * (v5 * v69 + v6 * v68);
+    const wide v72 = w1 * (inverse1 * v70) - v71;
+    const wide v73 = w1 * (inverse1 * -v70) - v71;
+    const wide v74 = c1_p * T21 + v12 * T11;
+    const wide v75 = v13 * T11 - v9 * T21;
+    const wide v76 = v38 * (s3_p * v74 - v18 * v72) - -X4_pp * v66;
+    const wide v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66;
+    const wide v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67;
+    const wide v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67;
+    const wide angle1________ = atan2_wide(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52);
+    const wide angle1_________ = atan2_wide(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52);
+    const wide angle1__________ = atan2_wide(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53);
+    const wide angle1___________ = atan2_wide(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53);
+    const wide q6_ppm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v76);
+    const wide q6_pmm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v77);
+    const wide q6_mpm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v78);
+    const wide q6_mmm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v79);
 
     /* joint values */
-    const wide angle1_____________ = atan2_wide(-v12, v8);
-    const wide q1_ppp = v17 + angle1_____________;
-    const wide angle1______________ = atan2_wide(-v13, -v9);
-    const wide q1_mpp = v17 + angle1______________;
-    const wide q3_ppp = v4 + (q3__p - pick_wide(half_turn < q3__p, all_wide(m3), all_wide(0.0)));
-    const wide q3_pmp = v4 - (v24 + pick_wide(half_turn < -v24, all_wide(m3), all_wide(0.0)));
-    const wide q2_mpp = v28 - v25;
-    const wide q2_mmp = v28 - v26;
-    const wide_mask doubt = (v48 <= m1) | ((v47 <= m1) | ((v46 <= m1) | ((v45 <= m1) |
-        (((-(reach_slack1 * (reach_slack1 + v16)) <= D3) & ((merge_slack1 * (merge_slack1 + v16) <
-        D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
-        ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))))))));
+    const wide angle1____________ = atan2_wide(-v12, c1_p);
+    const wide q1_ppp = v15 + angle1____________;
+    const wide angle1_____________ = atan2_wide(-v13, -v9);
+    const wide q1_mpp = v15 + angle1_____________;
+    const wide angle1______________ = atan2_wide(s3_p, -v18);
+    const wide q3_ppp = v4 + angle1______________;
+    const wide angle1_______________ = atan2_wide(s3_m, -v19);
+    const wide q3_pmp = v4 + angle1_______________;
+    const wide q2_mpp = v25 - v22;
+    const wide q2_mmp = v25 - v23;
+    const wide_mask doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
+        ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))) | (free1 | (((-(reach_slack1 *
+        (reach_slack1 + v14)) <= D3) & ((merge_slack1 * (merge_slack1 + v14) < D3) == 0)) | ((v45 <=
+        m5) | ((v44 <= m5) | ((v42 <= m5) | (v43 <= m5))))));
 
     q[0] = q1_ppp;
-    q[1] = -(v25 + v27);
+    q[1] = -(v22 + v24);
     q[2] = q3_ppp;
-    q[3] = angle1_;
-    q[4] = angle1_____;
-    q[5] = angle1_________;
+    q[3] = angle1;
+    q[4] = angle1____;
+    q[5] = angle1________;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = -(v25 + v27);
+    q[7] = -(v22 + v24);
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1_____;
+    q[10] = -angle1____;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = -(v26 + v27);
+    q[13] = -(v23 + v24);
     q[14] = q3_pmp;
-    q[15] = angle1__;
-    q[16] = angle1______;
-    q[17] = angle1__________;
+    q[15] = angle1_;
+    q[16] = angle1_____;
+    q[17] = angle1_________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = -(v26 + v27);
+    q[19] = -(v23 + v24);
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1______;
+    q[22] = -angle1_____;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = angle1___;
-    q[28] = angle1_______;
-    q[29] = angle1___________;
+    q[27] = angle1__;
+    q[28] = angle1______;
+    q[29] = angle1__________;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -angle1_______;
+    q[34] = -angle1______;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = angle1____;
-    q[40] = angle1________;
-    q[41] = angle1____________;
+    q[39] = angle1___;
+    q[40] = angle1_______;
+    q[41] = angle1___________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -angle1________;
+    q[46] = -angle1_______;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -718,139 +753,97 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double inverse1 = 1.0 / N1;
     const double v5 = v1 * Z1;
     const double v6 = v2 * Z1;
-    const double v7 = v1 * w1;
-    const four v8 = e1 * v7 - v6;
-    const four c1 = inverse1 * v8;
-    const double v9 = v2 * w1;
-    const four v10 = v5 + e1 * v9;
-    const four v11 = inverse1 * v10;
+    const double v7 = inverse1 * v6;
+    const four c1 = w1 * (inverse1 * (e1 * v1)) - v7;
+    const double v8 = inverse1 * v5;
+    const four v9 = v8 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
     const double Z3 = wz - k4;
     const double D3 = k5 - Z3 * Z3;
-    const double v12 = 2.0 * fabs(Z3);
+    const double v10 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v13 = w3 - w3;
-    const double v14 = k2 * Z3;
-    const double v15 = k3 * Z3;
-    const double v16 = k2 * w3;
-    const four v17 = k6 * (v15 + e2 * v16);
-    const double v18 = k3 * w3;
-    const four s3 = k6 * (v14 - e2 * v18);
+    const double v11 = w3 - w3;
+    const double v12 = m3 * wz - m2;
+    const four v13 = v12 + w3 * (m1 * e2);
+    const double v14 = m1 * wz - m4;
+    const four s3 = v14 - w3 * (m3 * e2);
 
     /* r2 */
-    const four v19 = a3 * s3 - d4 * v17;
-    const four v20 = c1 * -wy - wx * v11;
+    const four v15 = a3 * s3 - d4 * v13;
+    const four v16 = c1 * -wy - wx * v9;
 
     /* theta4 */
-    const double v21 = cat2 * T13;
-    const double v22 = cat2 * T23;
-    const double v23 = sat2 * T33;
-    const four v24 = c1 * v21 - v11 * v22 - v23;
-    const four v25 = T13 * v11 + T23 * c1;
-    const four X4 = v17 * v24 - s3 * v25;
-    const double v26 = sat2 * T13;
-    const double v27 = sat2 * T23;
-    const double v28 = cat2 * T33;
-    const four v29 = v28 + (c1 * v26 - v11 * v27);
-    const four v30 = v29 * v29;
-    const four v31 = v30 + X4 * X4;
-    const four v32 = copysign_four(all_four(half_turn), -v29) * h1;
+    const double v17 = cat2 * T13;
+    const double v18 = cat2 * T23;
+    const double v19 = v1 * v17 - v2 * v18;
+    const double v20 = sat2 * T33 + inverse1 * (v5 * v18 + v6 * v17);
+    const four v21 = w1 * (inverse1 * (e1 * v19)) - v20;
+    const four v22 = T13 * v9 + T23 * c1;
+    const four X4 = v13 * v21 - s3 * v22;
+    const double v23 = sat2 * T13;
+    const double v24 = sat2 * T23;
+    const double v25 = v1 * v23 - v2 * v24;
+    const double v26 = cat2 * T33 - inverse1 * (v5 * v24 + v6 * v23);
+    const four v27 = v26 + w1 * (inverse1 * (e1 * v25));
+    const four v28 = v27 * v27;
+    const four v29 = v28 + X4 * X4;
+    const four_mask doubt2 = v29 <= m5;
+    const four v30 = copysign_four(all_four(half_turn), -v27) * h1;
 
     /* theta6 */
-    const double v33 = sat2 * T12;
-    const double v34 = sat2 * T22;
-    const double v35 = cat2 * T32;
-    const four v36 = v35 + (c1 * v33 - v11 * v34);
-    const double v37 = cat2 * T12;
-    const double v38 = cat2 * T22;
-    const double v39 = sat2 * T32;
-    const four v40 = c1 * v37 - v11 * v38 - v39;
-    const four v41 = c1 * T22 + v11 * T12;
+    const double v31 = sat2 * T12;
+    const double v32 = sat2 * T22;
+    const double v33 = v1 * v31 - v2 * v32;
+    const double v34 = cat2 * T32 - inverse1 * (v5 * v32 + v6 * v31);
+    const four v35 = v34 + w1 * (inverse1 * (e1 * v33));
+    const double v36 = cat2 * T12;
+    const double v37 = cat2 * T22;
+    const double v38 = v1 * v36 - v2 * v37;
+    const double v39 = sat2 * T32 + inverse1 * (v5 * v37 + v6 * v36);
+    const four v40 = w1 * (inverse1 * (e1 * v38)) - v39;
+    const four v41 = c1 * T22 + v9 * T12;
     const double v42 = sat2 * T11;
     const double v43 = sat2 * T21;
-    const double v44 = cat2 * T31;
-    const four v45 = v44 + (c1 * v42 - v11 * v43);
-    const double v46 = cat2 * T11;
-    const double v47 = cat2 * T21;
-    const double v48 = sat2 * T31;
-    const four v49 = c1 * v46 - v11 * v47 - v48;
-    const four v50 = c1 * T21 + v11 * T11;
-    const four v51 = v29 * (s3 * v50 - v17 * v49) - -X4 * v45;
+    const double v44 = v1 * v42 - v2 * v43;
+    const double v45 = cat2 * T31 - inverse1 * (v5 * v43 + v6 * v42);
+    const four v46 = v45 + w1 * (inverse1 * (e1 * v44));
+    const double v47 = cat2 * T11;
+    const double v48 = cat2 * T21;
+    const double v49 = v1 * v47 - v2 * v48;
+    const double v50 = sat2 * T31 + inverse1 * (v5 * v48 + v6 * v47);
+    const four v51 = w1 * (inverse1 * (e1 * v49)) - v50;
+    const four v52 = c1 * T21 + v9 * T11;
+    const four v53 = v27 * (s3 * v52 - v13 * v51) - -X4 * v46;
 
     /* joint values */
-    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v12)) <= D3) & ((merge_slack1 *
-        (merge_slack1 + v12) < D3) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v3)) <= D1)
-        & (free1 | ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))));
-    const four_mask doubt = (v31 <= m1) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 | ((merge_slack1 *
+        (merge_slack1 + v3) < D1) == 0))) | (free1 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D3)
+        & ((merge_slack1 * (merge_slack1 + v10) < D3) == 0)));
 
-    const four angle1_ = atan2_four(-v29, -X4);
-    const four angle1__ = atan2_four(-sqrt_four(v31), -(v17 * v25 + s3 * v24));
-    const four angle1___ = atan2_four(v51, v29 * (s3 * v41 - v17 * v40) - -X4 * v36);
-    const four packed4 = atan2_four(__builtin_shufflevector(-v10, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(v8, all_four(Z3), 0, 5, 2, 3));
-    const four angle1____ = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed4, packed4, 1, 1, 1, 1);
-    const four q3_ = e2 * angle1 - turn1;
-    const four q4_m = angle1_ - v32;
-    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v51);
-    const four q1_p = v13 + angle1____;
-    const four q3_p = v4 + (q3_ - pick_four(half_turn < q3_, all_four(m3), all_four(0.0)));
+    const four angle1 = atan2_four(-v27, -X4);
+    const four angle1_ = atan2_four(-sqrt_four(v29), -(v13 * v22 + s3 * v21));
+    const four angle1__ = atan2_four(v53, v27 * (s3 * v41 - v13 * v40) - -X4 * v35);
+    const four packed4 = atan2_four(-v9, c1);
+    const four angle1___ = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
+    const four packed5 = atan2_four(s3, -v13);
+    const four angle1____ = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
+    const four q4_m = angle1 - v30;
+    const four q6_m = angle1__ - h1 * copysign_four(all_four(half_turn), v53);
+    const four q1_p = v11 + angle1___;
+    const four q3_p = v4 + angle1____;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v19 + v20), q3_p, angle1_);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1__, angle1___);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v19 + v20), q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1__, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v15 + v16), q3_p, angle1);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1_, angle1__);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v15 + v16), q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1_, q6_m);
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * PRISMATIC_2_WRIST_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -79,11 +79,13 @@ f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
-turn1 = -1.754739783332072  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-24  # free_limit^2
-m3 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
+m1 = 11.314168873492461  # a coefficient of v9
+m2 = 0.7750600530519154  # a coefficient of v9
+m3 = 2.1049616508823186  # a coefficient of v9
+m4 = 4.165947785154044  # a coefficient of s3
+m5 = 1e-24  # free_limit^2
+h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -524,190 +526,194 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v5 = v1 * Z1
     v6 = v2 * Z1
-    v7 = v1 * w1
-    v8 = v7 - v6
-    v9 = v6 + v7
-    c1_p = inverse1 * v8
-    v10 = inverse1 * v9
-    v11 = v2 * w1
-    v12 = v5 + v11
-    v13 = v5 - v11
-    v14 = inverse1 * v12
-    v15 = inverse1 * v13
+    v7 = inverse1 * v6
+    v8 = w1 * (v1 * inverse1)
+    c1_p = v8 - v7
+    v9 = v7 + v8
+    v10 = inverse1 * v5
+    v11 = w1 * (v2 * inverse1)
+    v12 = v10 + v11
+    v13 = v10 - v11
 
     # theta3, type 2: U0 A6^-1 [3, 4]
     Z3 = wz - k4
     D3 = k5 - Z3 * Z3
-    v16 = 2.0 * abs(Z3)
+    v14 = 2.0 * abs(Z3)
     w3 = math.sqrt(D3)
-    v17 = w3 - w3
-    v18 = k2 * Z3
-    v19 = k3 * Z3
-    v20 = k2 * w3
-    v21 = k6 * (v19 + v20)
-    v22 = k6 * (v19 - v20)
-    v23 = k3 * w3
-    s3_p = k6 * (v18 - v23)
-    s3_m = k6 * (v18 + v23)
-    angle1 = _atan2(w3, Z3)
-    q3__p = angle1 - turn1
-    v24 = turn1 + angle1
+    v15 = w3 - w3
+    v16 = m3 * wz - m2
+    v17 = m1 * w3
+    v18 = v16 + v17
+    v19 = v16 - v17
+    v20 = m1 * wz - m4
+    v21 = m3 * w3
+    s3_p = v20 - v21
+    s3_m = v20 + v21
 
     # r2, type 1: U1 A6^-1 [3, 4]
-    v25 = a3 * s3_p - d4 * v21
-    v26 = a3 * s3_m - d4 * v22
-    v27 = c1_p * -wy - wx * v14
-    v28 = v10 * -wy + wx * v15
+    v22 = a3 * s3_p - d4 * v18
+    v23 = a3 * s3_m - d4 * v19
+    v24 = c1_p * -wy - wx * v12
+    v25 = v9 * -wy + wx * v13
 
     # theta4, type 2: U4[3, 3]
-    v29 = cat2 * T13
-    v30 = cat2 * T23
-    v31 = sat2 * T33
-    v32 = c1_p * v29 - v14 * v30 - v31
-    v33 = v31 + (v10 * v29 + v15 * v30)
-    v34 = T13 * v14 + T23 * c1_p
-    v35 = T13 * v15 - T23 * v10
-    X4_pp = v21 * v32 - s3_p * v34
-    X4_pm = v22 * v32 - s3_m * v34
-    v36 = v21 * v33 + s3_p * v35
-    v37 = v22 * v33 + s3_m * v35
-    v38 = sat2 * T13
-    v39 = sat2 * T23
-    v40 = cat2 * T33
-    v41 = v40 + (c1_p * v38 - v14 * v39)
-    v42 = v40 - (v10 * v38 + v15 * v39)
-    v43 = v41 * v41
-    v44 = v42 * v42
-    v45 = v43 + X4_pp * X4_pp
-    v46 = v43 + X4_pm * X4_pm
-    v47 = v44 + v36 * v36
-    v48 = v44 + v37 * v37
-    angle1_ = _atan2(-v41, -X4_pp)
-    angle1__ = _atan2(-v41, -X4_pm)
-    angle1___ = _atan2(-v42, v36)
-    angle1____ = _atan2(-v42, v37)
-    v49 = math.copysign(half_turn, -v41) * h1
-    v50 = math.copysign(half_turn, -v42) * h1
-    q4_ppm = angle1_ - v49
-    q4_pmm = angle1__ - v49
-    q4_mpm = angle1___ - v50
-    q4_mmm = angle1____ - v50
+    v26 = cat2 * T13
+    v27 = cat2 * T23
+    v28 = v1 * v26 - v2 * v27
+    v29 = sat2 * T33 + inverse1 * (v5 * v27 + v6 * v26)
+    v30 = w1 * (inverse1 * v28) - v29
+    v31 = w1 * (inverse1 * -v28) - v29
+    v32 = T13 * v12 + T23 * c1_p
+    v33 = T13 * v13 - T23 * v9
+    X4_pp = v18 * v30 - s3_p * v32
+    X4_pm = v19 * v30 - s3_m * v32
+    X4_mp = v18 * v31 - s3_p * v33
+    X4_mm = v19 * v31 - s3_m * v33
+    v34 = sat2 * T13
+    v35 = sat2 * T23
+    v36 = v1 * v34 - v2 * v35
+    v37 = cat2 * T33 - inverse1 * (v5 * v35 + v6 * v34)
+    v38 = v37 + w1 * (inverse1 * v36)
+    v39 = v37 + w1 * (inverse1 * -v36)
+    v40 = v38 * v38
+    v41 = v39 * v39
+    v42 = v40 + X4_pp * X4_pp
+    v43 = v40 + X4_pm * X4_pm
+    v44 = v41 + X4_mp * X4_mp
+    v45 = v41 + X4_mm * X4_mm
+    angle1 = _atan2(-v38, -X4_pp)
+    angle1_ = _atan2(-v38, -X4_pm)
+    angle1__ = _atan2(-v39, -X4_mp)
+    angle1___ = _atan2(-v39, -X4_mm)
+    v46 = math.copysign(half_turn, -v38) * h1
+    v47 = math.copysign(half_turn, -v39) * h1
+    q4_ppm = angle1 - v46
+    q4_pmm = angle1_ - v46
+    q4_mpm = angle1__ - v47
+    q4_mmm = angle1___ - v47
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1_____ = _atan2(-math.sqrt(v45), -(v21 * v34 + s3_p * v32))
-    angle1______ = _atan2(-math.sqrt(v46), -(v22 * v34 + s3_m * v32))
-    angle1_______ = _atan2(-math.sqrt(v47), s3_p * v33 - v21 * v35)
-    angle1________ = _atan2(-math.sqrt(v48), s3_m * v33 - v22 * v35)
+    angle1____ = _atan2(-math.sqrt(v42), -(v18 * v32 + s3_p * v30))
+    angle1_____ = _atan2(-math.sqrt(v43), -(v19 * v32 + s3_m * v30))
+    angle1______ = _atan2(-math.sqrt(v44), -(v18 * v33 + s3_p * v31))
+    angle1_______ = _atan2(-math.sqrt(v45), -(v19 * v33 + s3_m * v31))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v51 = sat2 * T12
-    v52 = sat2 * T22
-    v53 = cat2 * T32
-    v54 = v53 + (c1_p * v51 - v14 * v52)
-    v55 = v53 - (v10 * v51 + v15 * v52)
-    v56 = cat2 * T12
-    v57 = cat2 * T22
-    v58 = sat2 * T32
-    v59 = c1_p * v56 - v14 * v57 - v58
-    v60 = v58 + (v10 * v56 + v15 * v57)
-    v61 = c1_p * T22 + v14 * T12
-    v62 = v15 * T12 - v10 * T22
-    v63 = sat2 * T11
-    v64 = sat2 * T21
-    v65 = cat2 * T31
-    v66 = v65 + (c1_p * v63 - v14 * v64)
-    v67 = v65 - (v10 * v63 + v15 * v64)
+    v48 = sat2 * T12
+    v49 = sat2 * T22
+    v50 = v1 * v48 - v2 * v49
+    v51 = cat2 * T32 - inverse1 * (v5 * v49 + v6 * v48)
+    v52 = v51 + w1 * (inverse1 * v50)
+    v53 = v51 + w1 * (inverse1 * -v50)
+    v54 = cat2 * T12
+    v55 = cat2 * T22
+    v56 = v1 * v54 - v2 * v55
+    v57 = sat2 * T32 + inverse1 * (v5 * v55 + v6 * v54)
+    v58 = w1 * (inverse1 * v56) - v57
+    v59 = w1 * (inverse1 * -v56) - v57
+    v60 = c1_p * T22 + v12 * T12
+    v61 = v13 * T12 - v9 * T22
+    v62 = sat2 * T11
+    v63 = sat2 * T21
+    v64 = v1 * v62 - v2 * v63
+    v65 = cat2 * T31 - inverse1 * (v5 * v63 + v6 * v62)
+    v66 = v65 + w1 * (inverse1 * v64)
+    v67 = v65 + w1 * (inverse1 * -v64)
     v68 = cat2 * T11
     v69 = cat2 * T21
-    v70 = sat2 * T31
-    v71 = c1_p * v68 - v14 * v69 - v70
-    v72 = v70 + (v10 * v68 + v15 * v69)
-    v73 = c1_p * T21 + v14 * T11
-    v74 = v15 * T11 - v10 * T21
-    v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66
-    v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66
-    v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67
-    v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67
-    angle1_________ = _atan2(v75, v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54)
-    angle1__________ = _atan2(v76, v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54)
-    angle1___________ = _atan2(v77, v42 * (s3_p * v62 + v21 * v60) - v36 * v55)
-    angle1____________ = _atan2(v78, v42 * (s3_m * v62 + v22 * v60) - v37 * v55)
-    q6_ppm = angle1_________ - h1 * math.copysign(half_turn, v75)
-    q6_pmm = angle1__________ - h1 * math.copysign(half_turn, v76)
-    q6_mpm = angle1___________ - h1 * math.copysign(half_turn, v77)
-    q6_mmm = angle1____________ - h1 * math.copysign(half_turn, v78)
+    v70 = v1 * v68 - v2 * v69
+    v71 = sat2 * T31 + inverse1 * (v5 * v69 + v6 * v68)
+    v72 = w1 * (inverse1 * v70) - v71
+    v73 = w1 * (inverse1 * -v70) - v71
+    v74 = c1_p * T21 + v12 * T11
+    v75 = v13 * T11 - v9 * T21
+    v76 = v38 * (s3_p * v74 - v18 * v72) - -X4_pp * v66
+    v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66
+    v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67
+    v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67
+    angle1________ = _atan2(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52)
+    angle1_________ = _atan2(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52)
+    angle1__________ = _atan2(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53)
+    angle1___________ = _atan2(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53)
+    q6_ppm = angle1________ - h1 * math.copysign(half_turn, v76)
+    q6_pmm = angle1_________ - h1 * math.copysign(half_turn, v77)
+    q6_mpm = angle1__________ - h1 * math.copysign(half_turn, v78)
+    q6_mmm = angle1___________ - h1 * math.copysign(half_turn, v79)
 
     # joint values
-    angle1_____________ = _atan2(-v12, v8)
-    q1_ppp = v17 + angle1_____________
-    angle1______________ = _atan2(-v13, -v9)
-    q1_mpp = v17 + angle1______________
-    q3_ppp = v4 + (q3__p - (m3 if half_turn < q3__p else 0.0))
-    q3_pmp = v4 - (v24 + (m3 if half_turn < -v24 else 0.0))
-    q2_mpp = v28 - v25
-    q2_mmp = v28 - v26
-    doubt = (
-        v48 <= m1 or (v47 <= m1 or (v46 <= m1 or (v45 <= m1 or (-(reach_slack1 * (reach_slack1 +
-        v16)) <= D3 and not (merge_slack1 * (merge_slack1 + v16) < D3) or (free1 or -(reach_slack1 *
-        (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v3) < D1)))))))
+    angle1____________ = _atan2(-v12, c1_p)
+    q1_ppp = v15 + angle1____________
+    angle1_____________ = _atan2(-v13, -v9)
+    q1_mpp = v15 + angle1_____________
+    angle1______________ = _atan2(s3_p, -v18)
+    q3_ppp = v4 + angle1______________
+    angle1_______________ = _atan2(s3_m, -v19)
+    q3_pmp = v4 + angle1_______________
+    q2_mpp = v25 - v22
+    q2_mmp = v25 - v23
+    doubt1 = (
+        -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1
+        + v3) < D1)) or (free1 or (-(reach_slack1 * (reach_slack1 + v14)) <= D3 and not
+        (merge_slack1 * (merge_slack1 + v14) < D3) or (v45 <= m5 or (v44 <= m5 or (v42 <= m5 or v43
+        <= m5)))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
-    q[0, 1] = -(v25 + v27)
+    q[0, 1] = -(v22 + v24)
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1_
-    q[0, 4] = angle1_____
-    q[0, 5] = angle1_________
+    q[0, 3] = angle1
+    q[0, 4] = angle1____
+    q[0, 5] = angle1________
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_ppp
-    q[1, 1] = -(v25 + v27)
+    q[1, 1] = -(v22 + v24)
     q[1, 2] = q3_ppp
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1_____
+    q[1, 4] = -angle1____
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
-    q[2, 1] = -(v26 + v27)
+    q[2, 1] = -(v23 + v24)
     q[2, 2] = q3_pmp
-    q[2, 3] = angle1__
-    q[2, 4] = angle1______
-    q[2, 5] = angle1__________
+    q[2, 3] = angle1_
+    q[2, 4] = angle1_____
+    q[2, 5] = angle1_________
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
-    q[3, 1] = -(v26 + v27)
+    q[3, 1] = -(v23 + v24)
     q[3, 2] = q3_pmp
     q[3, 3] = q4_pmm
-    q[3, 4] = -angle1______
+    q[3, 4] = -angle1_____
     q[3, 5] = q6_pmm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
     q[4, 2] = q3_ppp
-    q[4, 3] = angle1___
-    q[4, 4] = angle1_______
-    q[4, 5] = angle1___________
+    q[4, 3] = angle1__
+    q[4, 4] = angle1______
+    q[4, 5] = angle1__________
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
     q[5, 2] = q3_ppp
     q[5, 3] = q4_mpm
-    q[5, 4] = -angle1_______
+    q[5, 4] = -angle1______
     q[5, 5] = q6_mpm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
     q[6, 2] = q3_pmp
-    q[6, 3] = angle1____
-    q[6, 4] = angle1________
-    q[6, 5] = angle1____________
+    q[6, 3] = angle1___
+    q[6, 4] = angle1_______
+    q[6, 5] = angle1___________
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
     q[7, 2] = q3_pmp
     q[7, 3] = q4_mmm
-    q[7, 4] = -angle1________
+    q[7, 4] = -angle1_______
     q[7, 5] = q6_mmm
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
     return True
@@ -840,16 +846,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1952, 1984, 2016, 2048, 2080, 2112],
-    [1952, 1984, 2016, 2144, 2176, 2208],
-    [1952, 2240, 2272, 2304, 2336, 2368],
-    [1952, 2240, 2272, 2400, 2432, 2464],
-    [2496, 2528, 2016, 2560, 2592, 2624],
-    [2496, 2528, 2016, 2656, 2688, 2720],
-    [2496, 2752, 2272, 2784, 2816, 2848],
-    [2496, 2752, 2272, 2880, 2912, 2944],
+    [2016, 2048, 2080, 2112, 2144, 2176],
+    [2016, 2048, 2080, 2208, 2240, 2272],
+    [2016, 2304, 2336, 2368, 2400, 2432],
+    [2016, 2304, 2336, 2464, 2496, 2528],
+    [2560, 2592, 2080, 2624, 2656, 2688],
+    [2560, 2592, 2080, 2720, 2752, 2784],
+    [2560, 2816, 2336, 2848, 2880, 2912],
+    [2560, 2816, 2336, 2944, 2976, 3008],
 ])
-_KINDS = np.array([2976, 3008, 3040, 3072, 3104, 3136, 3168, 3200])
+_KINDS = np.array([3040, 3072, 3104, 3136, 3168, 3200, 3232, 3264])
 _LEFT_OVER = 255
 
 
@@ -860,7 +866,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3232)
+    work = np.empty(3296)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -911,154 +917,160 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v5 = v1 * Z1
             v6 = v2 * Z1
-            v7 = v1 * w1
-            v8 = v7 - v6
-            v9 = v6 + v7
-            c1_p = inverse1 * v8
-            v10 = inverse1 * v9
-            v11 = v2 * w1
-            v12 = v5 + v11
-            v13 = v5 - v11
-            v14 = inverse1 * v12
-            v15 = inverse1 * v13
+            v7 = inverse1 * v6
+            v8 = w1 * (v1 * inverse1)
+            c1_p = v8 - v7
+            v9 = v7 + v8
+            v10 = inverse1 * v5
+            v11 = w1 * (v2 * inverse1)
+            v12 = v10 + v11
+            v13 = v10 - v11
             Z3 = wz - k4
             D3 = k5 - Z3 * Z3
-            v16 = 2.0 * abs(Z3)
+            v14 = 2.0 * abs(Z3)
             w3 = math.sqrt(D3)
-            v17 = w3 - w3
-            v18 = k2 * Z3
-            v19 = k3 * Z3
-            v20 = k2 * w3
-            v21 = k6 * (v19 + v20)
-            v22 = k6 * (v19 - v20)
-            v23 = k3 * w3
-            s3_p = k6 * (v18 - v23)
-            s3_m = k6 * (v18 + v23)
-            v25 = a3 * s3_p - d4 * v21
-            v26 = a3 * s3_m - d4 * v22
-            v27 = c1_p * -wy - wx * v14
-            v28 = v10 * -wy + wx * v15
-            v29 = cat2 * T13
-            v30 = cat2 * T23
-            v31 = sat2 * T33
-            v32 = c1_p * v29 - v14 * v30 - v31
-            v33 = v31 + (v10 * v29 + v15 * v30)
-            v34 = T13 * v14 + T23 * c1_p
-            v35 = T13 * v15 - T23 * v10
-            X4_pp = v21 * v32 - s3_p * v34
-            X4_pm = v22 * v32 - s3_m * v34
-            v36 = v21 * v33 + s3_p * v35
-            v37 = v22 * v33 + s3_m * v35
-            v38 = sat2 * T13
-            v39 = sat2 * T23
-            v40 = cat2 * T33
-            v41 = v40 + (c1_p * v38 - v14 * v39)
-            v42 = v40 - (v10 * v38 + v15 * v39)
-            v43 = v41 * v41
-            v44 = v42 * v42
-            v45 = v43 + X4_pp * X4_pp
-            v46 = v43 + X4_pm * X4_pm
-            v47 = v44 + v36 * v36
-            v48 = v44 + v37 * v37
-            v49 = math.copysign(half_turn, -v41) * h1
-            v50 = math.copysign(half_turn, -v42) * h1
-            v51 = sat2 * T12
-            v52 = sat2 * T22
-            v53 = cat2 * T32
-            v54 = v53 + (c1_p * v51 - v14 * v52)
-            v55 = v53 - (v10 * v51 + v15 * v52)
-            v56 = cat2 * T12
-            v57 = cat2 * T22
-            v58 = sat2 * T32
-            v59 = c1_p * v56 - v14 * v57 - v58
-            v60 = v58 + (v10 * v56 + v15 * v57)
-            v61 = c1_p * T22 + v14 * T12
-            v62 = v15 * T12 - v10 * T22
-            v63 = sat2 * T11
-            v64 = sat2 * T21
-            v65 = cat2 * T31
-            v66 = v65 + (c1_p * v63 - v14 * v64)
-            v67 = v65 - (v10 * v63 + v15 * v64)
+            v15 = w3 - w3
+            v16 = m3 * wz - m2
+            v17 = m1 * w3
+            v18 = v16 + v17
+            v19 = v16 - v17
+            v20 = m1 * wz - m4
+            v21 = m3 * w3
+            s3_p = v20 - v21
+            s3_m = v20 + v21
+            v22 = a3 * s3_p - d4 * v18
+            v23 = a3 * s3_m - d4 * v19
+            v24 = c1_p * -wy - wx * v12
+            v25 = v9 * -wy + wx * v13
+            v26 = cat2 * T13
+            v27 = cat2 * T23
+            v28 = v1 * v26 - v2 * v27
+            v29 = sat2 * T33 + inverse1 * (v5 * v27 + v6 * v26)
+            v30 = w1 * (inverse1 * v28) - v29
+            v31 = w1 * (inverse1 * -v28) - v29
+            v32 = T13 * v12 + T23 * c1_p
+            v33 = T13 * v13 - T23 * v9
+            X4_pp = v18 * v30 - s3_p * v32
+            X4_pm = v19 * v30 - s3_m * v32
+            X4_mp = v18 * v31 - s3_p * v33
+            X4_mm = v19 * v31 - s3_m * v33
+            v34 = sat2 * T13
+            v35 = sat2 * T23
+            v36 = v1 * v34 - v2 * v35
+            v37 = cat2 * T33 - inverse1 * (v5 * v35 + v6 * v34)
+            v38 = v37 + w1 * (inverse1 * v36)
+            v39 = v37 + w1 * (inverse1 * -v36)
+            v40 = v38 * v38
+            v41 = v39 * v39
+            v42 = v40 + X4_pp * X4_pp
+            v43 = v40 + X4_pm * X4_pm
+            v44 = v41 + X4_mp * X4_mp
+            v45 = v41 + X4_mm * X4_mm
+            v46 = math.copysign(half_turn, -v38) * h1
+            v47 = math.copysign(half_turn, -v39) * h1
+            v48 = sat2 * T12
+            v49 = sat2 * T22
+            v50 = v1 * v48 - v2 * v49
+            v51 = cat2 * T32 - inverse1 * (v5 * v49 + v6 * v48)
+            v52 = v51 + w1 * (inverse1 * v50)
+            v53 = v51 + w1 * (inverse1 * -v50)
+            v54 = cat2 * T12
+            v55 = cat2 * T22
+            v56 = v1 * v54 - v2 * v55
+            v57 = sat2 * T32 + inverse1 * (v5 * v55 + v6 * v54)
+            v58 = w1 * (inverse1 * v56) - v57
+            v59 = w1 * (inverse1 * -v56) - v57
+            v60 = c1_p * T22 + v12 * T12
+            v61 = v13 * T12 - v9 * T22
+            v62 = sat2 * T11
+            v63 = sat2 * T21
+            v64 = v1 * v62 - v2 * v63
+            v65 = cat2 * T31 - inverse1 * (v5 * v63 + v6 * v62)
+            v66 = v65 + w1 * (inverse1 * v64)
+            v67 = v65 + w1 * (inverse1 * -v64)
             v68 = cat2 * T11
             v69 = cat2 * T21
-            v70 = sat2 * T31
-            v71 = c1_p * v68 - v14 * v69 - v70
-            v72 = v70 + (v10 * v68 + v15 * v69)
-            v73 = c1_p * T21 + v14 * T11
-            v74 = v15 * T11 - v10 * T21
-            v75 = v41 * (s3_p * v73 - v21 * v71) - -X4_pp * v66
-            v76 = v41 * (s3_m * v73 - v22 * v71) - -X4_pm * v66
-            v77 = v42 * (s3_p * v74 + v21 * v72) - v36 * v67
-            v78 = v42 * (s3_m * v74 + v22 * v72) - v37 * v67
-            q2_mpp = v28 - v25
-            q2_mmp = v28 - v26
-            doubt = (
-                v48 <= m1 or (v47 <= m1 or (v46 <= m1 or (v45 <= m1 or (-(reach_slack1 *
-                (reach_slack1 + v16)) <= D3 and not (merge_slack1 * (merge_slack1 + v16) < D3) or
-                (free1 or -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not
-                (merge_slack1 * (merge_slack1 + v3) < D1)))))))
+            v70 = v1 * v68 - v2 * v69
+            v71 = sat2 * T31 + inverse1 * (v5 * v69 + v6 * v68)
+            v72 = w1 * (inverse1 * v70) - v71
+            v73 = w1 * (inverse1 * -v70) - v71
+            v74 = c1_p * T21 + v12 * T11
+            v75 = v13 * T11 - v9 * T21
+            v76 = v38 * (s3_p * v74 - v18 * v72) - -X4_pp * v66
+            v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66
+            v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67
+            v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67
+            q2_mpp = v25 - v22
+            q2_mmp = v25 - v23
+            doubt1 = (
+                -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 *
+                (merge_slack1 + v3) < D1)) or (free1 or (-(reach_slack1 * (reach_slack1 + v14)) <=
+                D3 and not (merge_slack1 * (merge_slack1 + v14) < D3) or (v45 <= m5 or (v44 <= m5 or
+                (v42 <= m5 or v43 <= m5)))))
             )
             work[544 + k] = v4
-            work[576 + k] = v17
-            work[608 + k] = v25
-            work[640 + k] = v26
-            work[672 + k] = v27
-            work[704 + k] = v49
-            work[736 + k] = v50
-            work[768 + k] = v75
-            work[800 + k] = v76
-            work[832 + k] = v77
-            work[864 + k] = v78
+            work[576 + k] = v15
+            work[608 + k] = v22
+            work[640 + k] = v23
+            work[672 + k] = v24
+            work[704 + k] = v46
+            work[736 + k] = v47
+            work[768 + k] = v76
+            work[800 + k] = v77
+            work[832 + k] = v78
+            work[864 + k] = v79
             work[896 + k] = q2_mpp
             work[928 + k] = q2_mmp
-            work[960 + k] = doubt
-            work[992 + k] = w3
-            work[1024 + k] = -v41
-            work[1056 + k] = -v41
-            work[1088 + k] = -v42
-            work[1120 + k] = -v42
-            work[1152 + k] = -math.sqrt(v45)
-            work[1184 + k] = -math.sqrt(v46)
-            work[1216 + k] = -math.sqrt(v47)
-            work[1248 + k] = -math.sqrt(v48)
-            work[1280 + k] = v75
-            work[1312 + k] = v76
-            work[1344 + k] = v77
-            work[1376 + k] = v78
-            work[1408 + k] = -v12
-            work[1440 + k] = -v13
-            work[1472 + k] = Z3
+            work[960 + k] = doubt1
+            work[992 + k] = -v38
+            work[1024 + k] = -v38
+            work[1056 + k] = -v39
+            work[1088 + k] = -v39
+            work[1120 + k] = -math.sqrt(v42)
+            work[1152 + k] = -math.sqrt(v43)
+            work[1184 + k] = -math.sqrt(v44)
+            work[1216 + k] = -math.sqrt(v45)
+            work[1248 + k] = v76
+            work[1280 + k] = v77
+            work[1312 + k] = v78
+            work[1344 + k] = v79
+            work[1376 + k] = -v12
+            work[1408 + k] = -v13
+            work[1440 + k] = s3_p
+            work[1472 + k] = s3_m
             work[1504 + k] = -X4_pp
             work[1536 + k] = -X4_pm
-            work[1568 + k] = v36
-            work[1600 + k] = v37
-            work[1632 + k] = -(v21 * v34 + s3_p * v32)
-            work[1664 + k] = -(v22 * v34 + s3_m * v32)
-            work[1696 + k] = s3_p * v33 - v21 * v35
-            work[1728 + k] = s3_m * v33 - v22 * v35
-            work[1760 + k] = v41 * (s3_p * v61 - v21 * v59) - -X4_pp * v54
-            work[1792 + k] = v41 * (s3_m * v61 - v22 * v59) - -X4_pm * v54
-            work[1824 + k] = v42 * (s3_p * v62 + v21 * v60) - v36 * v55
-            work[1856 + k] = v42 * (s3_m * v62 + v22 * v60) - v37 * v55
-            work[1888 + k] = v8
+            work[1568 + k] = -X4_mp
+            work[1600 + k] = -X4_mm
+            work[1632 + k] = -(v18 * v32 + s3_p * v30)
+            work[1664 + k] = -(v19 * v32 + s3_m * v30)
+            work[1696 + k] = -(v18 * v33 + s3_p * v31)
+            work[1728 + k] = -(v19 * v33 + s3_m * v31)
+            work[1760 + k] = v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52
+            work[1792 + k] = v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52
+            work[1824 + k] = v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53
+            work[1856 + k] = v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53
+            work[1888 + k] = c1_p
             work[1920 + k] = -v9
-        for k in range(992, 1472):
-            work[k] = _atan2(work[k], work[k + 480])
+            work[1952 + k] = -v18
+            work[1984 + k] = -v19
+        for k in range(992, 1504):
+            work[k] = _atan2(work[k], work[k + 512])
         for k in range(0, 32):
             v4 = work[544 + k]
-            v17 = work[576 + k]
-            v25 = work[608 + k]
-            v26 = work[640 + k]
-            v27 = work[672 + k]
-            v49 = work[704 + k]
-            v50 = work[736 + k]
-            v75 = work[768 + k]
-            v76 = work[800 + k]
-            v77 = work[832 + k]
-            v78 = work[864 + k]
+            v15 = work[576 + k]
+            v22 = work[608 + k]
+            v23 = work[640 + k]
+            v24 = work[672 + k]
+            v46 = work[704 + k]
+            v47 = work[736 + k]
+            v76 = work[768 + k]
+            v77 = work[800 + k]
+            v78 = work[832 + k]
+            v79 = work[864 + k]
             q2_mpp = work[896 + k]
             q2_mmp = work[928 + k]
-            doubt = work[960 + k] != 0.0
+            doubt1 = work[960 + k] != 0.0
             angle1 = work[992 + k]
             angle1_ = work[1024 + k]
             angle1__ = work[1056 + k]
@@ -1074,93 +1086,92 @@ def _in_tiles(T, q, status):
             angle1____________ = work[1376 + k]
             angle1_____________ = work[1408 + k]
             angle1______________ = work[1440 + k]
-            q3__p = angle1 - turn1
-            v24 = turn1 + angle1
-            q4_ppm = angle1_ - v49
-            q4_pmm = angle1__ - v49
-            q4_mpm = angle1___ - v50
-            q4_mmm = angle1____ - v50
-            q6_ppm = angle1_________ - h1 * math.copysign(half_turn, v75)
-            q6_pmm = angle1__________ - h1 * math.copysign(half_turn, v76)
-            q6_mpm = angle1___________ - h1 * math.copysign(half_turn, v77)
-            q6_mmm = angle1____________ - h1 * math.copysign(half_turn, v78)
-            q1_ppp = v17 + angle1_____________
-            q1_mpp = v17 + angle1______________
-            q3_ppp = v4 + (q3__p - (m3 if half_turn < q3__p else 0.0))
-            q3_pmp = v4 - (v24 + (m3 if half_turn < -v24 else 0.0))
-            _1952 = q1_ppp
-            work[1952 + k] = _1952
-            _1984 = -(v25 + v27)
-            work[1984 + k] = _1984
-            _2016 = q3_ppp
+            angle1_______________ = work[1472 + k]
+            q4_ppm = angle1 - v46
+            q4_pmm = angle1_ - v46
+            q4_mpm = angle1__ - v47
+            q4_mmm = angle1___ - v47
+            q6_ppm = angle1________ - h1 * math.copysign(half_turn, v76)
+            q6_pmm = angle1_________ - h1 * math.copysign(half_turn, v77)
+            q6_mpm = angle1__________ - h1 * math.copysign(half_turn, v78)
+            q6_mmm = angle1___________ - h1 * math.copysign(half_turn, v79)
+            q1_ppp = v15 + angle1____________
+            q1_mpp = v15 + angle1_____________
+            q3_ppp = v4 + angle1______________
+            q3_pmp = v4 + angle1_______________
+            _2016 = q1_ppp
             work[2016 + k] = _2016
-            _2048 = angle1_
+            _2048 = -(v22 + v24)
             work[2048 + k] = _2048
-            _2080 = angle1_____
+            _2080 = q3_ppp
             work[2080 + k] = _2080
-            _2112 = angle1_________
+            _2112 = angle1
             work[2112 + k] = _2112
-            _2144 = q4_ppm
+            _2144 = angle1____
             work[2144 + k] = _2144
-            _2176 = -angle1_____
+            _2176 = angle1________
             work[2176 + k] = _2176
-            _2208 = q6_ppm
+            _2208 = q4_ppm
             work[2208 + k] = _2208
-            _2240 = -(v26 + v27)
+            _2240 = -angle1____
             work[2240 + k] = _2240
-            _2272 = q3_pmp
+            _2272 = q6_ppm
             work[2272 + k] = _2272
-            _2304 = angle1__
+            _2304 = -(v23 + v24)
             work[2304 + k] = _2304
-            _2336 = angle1______
+            _2336 = q3_pmp
             work[2336 + k] = _2336
-            _2368 = angle1__________
+            _2368 = angle1_
             work[2368 + k] = _2368
-            _2400 = q4_pmm
+            _2400 = angle1_____
             work[2400 + k] = _2400
-            _2432 = -angle1______
+            _2432 = angle1_________
             work[2432 + k] = _2432
-            _2464 = q6_pmm
+            _2464 = q4_pmm
             work[2464 + k] = _2464
-            _2496 = q1_mpp
+            _2496 = -angle1_____
             work[2496 + k] = _2496
-            _2528 = q2_mpp
+            _2528 = q6_pmm
             work[2528 + k] = _2528
-            _2560 = angle1___
+            _2560 = q1_mpp
             work[2560 + k] = _2560
-            _2592 = angle1_______
+            _2592 = q2_mpp
             work[2592 + k] = _2592
-            _2624 = angle1___________
+            _2624 = angle1__
             work[2624 + k] = _2624
-            _2656 = q4_mpm
+            _2656 = angle1______
             work[2656 + k] = _2656
-            _2688 = -angle1_______
+            _2688 = angle1__________
             work[2688 + k] = _2688
-            _2720 = q6_mpm
+            _2720 = q4_mpm
             work[2720 + k] = _2720
-            _2752 = q2_mmp
+            _2752 = -angle1______
             work[2752 + k] = _2752
-            _2784 = angle1____
+            _2784 = q6_mpm
             work[2784 + k] = _2784
-            _2816 = angle1________
+            _2816 = q2_mmp
             work[2816 + k] = _2816
-            _2848 = angle1____________
+            _2848 = angle1___
             work[2848 + k] = _2848
-            _2880 = q4_mmm
+            _2880 = angle1_______
             work[2880 + k] = _2880
-            _2912 = -angle1________
+            _2912 = angle1___________
             work[2912 + k] = _2912
-            _2944 = q6_mmm
+            _2944 = q4_mmm
             work[2944 + k] = _2944
-            work[2976 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[3008 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[3040 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[3072 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[3104 + k] = UNREACHABLE if _2496 != _2496 else OK
-            work[3136 + k] = UNREACHABLE if _2496 != _2496 else OK
-            work[3168 + k] = UNREACHABLE if _2496 != _2496 else OK
-            work[3200 + k] = UNREACHABLE if _2496 != _2496 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            _2976 = -angle1_______
+            work[2976 + k] = _2976
+            _3008 = q6_mmm
+            work[3008 + k] = _3008
+            work[3040 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3072 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3104 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3136 + k] = UNREACHABLE if _2016 != _2016 else OK
+            work[3168 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3200 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3232 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3264 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

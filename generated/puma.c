@@ -8,6 +8,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PUMA_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPUMA_SCALAR. With -DPUMA_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PUMA_SCALAR) && !defined(PUMA_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef PUMA_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PUMA_UNREACHABLE) \
+        | (~(none) & (outside) & PUMA_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PUMA_UNREACHABLE \
+        : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
+#endif
 static const double L2 = 0.4318; /* z of axis 3 [m] */
 static const double D3 = 0.15005; /* x of axis 4 [m] */
 static const double D4 = 0.4318; /* z of axis 5 [m] */
@@ -32,9 +328,12 @@ static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
 static const double f1 = 0.8636; /* L2 + D4 [m] */
 static const double g1 = 0.8636; /* L2 + D4 [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.0557281429245738e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1.1579434923575729; /* a coefficient of v5 */
+static const double m2 = 1.0557281429245738e-48; /* free_limit_squared2^2 [m^4] */
+static const double m3 = 3.105217997900075; /* a coefficient of c23 */
+static const double m4 = 2.3158869847151458; /* a coefficient of s23 */
+static const double m5 = 1e-24; /* free_limit^2 */
+static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -215,209 +514,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef PUMA_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DPUMA_SCALAR. With -DPUMA_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(PUMA_SCALAR) && !defined(PUMA_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef PUMA_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PUMA_UNREACHABLE) \
-        | (~(none) & (outside) & PUMA_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA_UNREACHABLE \
-        : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -435,135 +531,126 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = D3 * t24;
-    const wide v3 = D3 * t14;
-    const wide v4 = t24 * w1;
-    const wide v5 = v3 + v4;
-    const wide v6 = v3 - v4;
-    const wide c1_p = inverse1 * v5;
-    const wide c1_m = inverse1 * v6;
-    const wide v7 = t14 * w1;
-    const wide v8 = v2 - v7;
-    const wide v9 = v2 + v7;
-    const wide s1_p = inverse1 * v8;
-    const wide s1_m = inverse1 * v9;
+    const wide v2 = inverse1 * (D3 * t14);
+    const wide v3 = w1 * (t24 * inverse1);
+    const wide c1_p = v2 + v3;
+    const wide c1_m = v2 - v3;
+    const wide v4 = inverse1 * (D3 * t24);
+    const wide v5 = w1 * (t14 * inverse1);
+    const wide s1_p = v4 - v5;
+    const wide s1_m = v4 + v5;
 
     /* theta3 */
     const wide t34 = T34 + D3 * T31 + k1 * T33;
     const wide N3 = D1 + t34 * t34;
-    const wide K3 = N3 - k5;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v10 = w3 - w3;
-    const wide s3 = k6 * w3;
-    const wide c3 = k6 * K3;
-    const wide angle1 = atan2_wide(w3, K3);
+    const wide v6 = w3 - w3;
+    const wide angle1 = atan2_wide(w3, N3 - k5);
 
     /* theta2 */
-    const wide v11 = D4 * s3;
-    const wide Y1_2 = L2 + D4 * c3;
-    const wide v12 = w1 * Y1_2;
-    const wide v13 = t34 * v11;
-    const wide v14 = v12 + v13;
-    const wide v15 = v12 - v13;
-    const wide v16 = t34 * Y1_2;
-    const wide v17 = w1 * v11;
-    const wide C2_pp = v16 - v17;
-    const wide C2_pm = v16 + v17;
-    const wide v18 = v14 * v14 + C2_pp * C2_pp;
-    const wide v19 = C2_pm * C2_pm;
-    const wide v20 = v15 * v15 + v19;
-    const wide v21 = v19 + -v15 * -v15;
-    const wide factor2_pp = 1.0 / sqrt_wide(v18);
-    const wide factor2_pm = 1.0 / sqrt_wide(v20);
-    const wide factor2_mp = 1.0 / sqrt_wide(v21);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_pm * factor2_mp;
-    const wide v22 = v14 * factor2_pp;
-    const wide v23 = v15 * factor2_pm;
-    const wide v24 = -v15 * factor2_mp;
-    const wide angle1_ = atan2_wide(-v14, C2_pp);
-    const wide angle1__ = atan2_wide(-v15, C2_pm);
-    const wide angle1___ = atan2_wide(v15, C2_pm);
-    const wide angle1____ = atan2_wide(v14, C2_pp);
+    const wide v7 = w3 * (m1 * t34);
+    const wide v8 = m1 * (w1 * N3);
+    const wide v9 = v7 + v8;
+    const wide v10 = v8 - v7;
+    const wide v11 = m1 * (t34 * N3);
+    const wide v12 = w3 * (m1 * w1);
+    const wide C2_pp = v11 - v12;
+    const wide C2_pm = v11 + v12;
+    const wide v13 = v9 * v9 + C2_pp * C2_pp;
+    const wide v14 = C2_pm * C2_pm;
+    const wide v15 = v10 * v10 + v14;
+    const wide v16 = v14 + -v10 * -v10;
+    const wide factor2_pp = 1.0 / sqrt_wide(v13);
+    const wide factor2_pm = 1.0 / sqrt_wide(v15);
+    const wide factor2_mp = 1.0 / sqrt_wide(v16);
+    const wide angle1_ = atan2_wide(-v9, C2_pp);
+    const wide angle1__ = atan2_wide(-v10, C2_pm);
+    const wide angle1___ = atan2_wide(v10, C2_pm);
+    const wide angle1____ = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide c23_pp = c3 * c2_pp + s3 * v22;
-    const wide c23_pm = c3 * c2_pm - s3 * v23;
-    const wide c23_mp = c3 * c2_mp + s3 * v24;
-    const wide s23_pp = s3 * c2_pp - c3 * v22;
-    const wide v25 = s3 * c2_pm + c3 * v23;
-    const wide s23_mp = s3 * c2_mp - c3 * v24;
-    const wide v26 = T13 * s1_p - T23 * c1_p;
-    const wide v27 = T13 * s1_m - T23 * c1_m;
-    const wide X4_pp = c23_pp * v26 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v26 + T33 * v25;
-    const wide X4_mp = c23_mp * v27 - T33 * s23_mp;
-    const wide X4_mm = c23_pp * v27 - T33 * -s23_pp;
-    const wide v28 = T13 * c1_p + T23 * s1_p;
-    const wide v29 = T13 * c1_m + T23 * s1_m;
-    const wide v30 = v28 * v28;
-    const wide v31 = v29 * v29;
-    const wide v32 = v30 + X4_pp * X4_pp;
-    const wide v33 = v30 + X4_pm * X4_pm;
-    const wide v34 = v31 + X4_mp * X4_mp;
-    const wide v35 = v31 + X4_mm * X4_mm;
-    const wide angle1_____ = atan2_wide(-v28, -X4_pp);
-    const wide angle1______ = atan2_wide(-v28, -X4_pm);
-    const wide angle1_______ = atan2_wide(-v29, -X4_mp);
-    const wide angle1________ = atan2_wide(-v29, -X4_mm);
-    const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
-    const wide v37 = copysign_wide(all_wide(half_turn), -v29) * h1;
-    const wide q4_ppm = angle1_____ - v36;
-    const wide q4_pmm = angle1______ - v36;
-    const wide q4_mpm = angle1_______ - v37;
-    const wide q4_mmm = angle1________ - v37;
+    const wide c23_pp = C2_pm * factor2_pp;
+    const wide c23_pm = C2_pp * factor2_pm;
+    const wide c23_mp = C2_pp * factor2_mp;
+    const wide v17 = m3 * N3;
+    const wide v18 = m1 - v17;
+    const wide v19 = v17 - m4;
+    const wide v20 = m1 * (t34 * w3);
+    const wide v21 = w1 * (N3 * (v18 + v19));
+    const wide s23_pp = factor2_pp * (v20 + v21);
+    const wide s23_pm = factor2_pm * (v21 - v20);
+    const wide v22 = w1 * (N3 * (-v18 + -v19));
+    const wide s23_mp = factor2_mp * (v20 + v22);
+    const wide s23_mm = factor2_pp * (v22 - v20);
+    const wide v23 = T13 * s1_p - T23 * c1_p;
+    const wide v24 = T13 * s1_m - T23 * c1_m;
+    const wide X4_pp = c23_pp * v23 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v23 - T33 * s23_pm;
+    const wide X4_mp = c23_mp * v24 - T33 * s23_mp;
+    const wide X4_mm = c23_pp * v24 - T33 * s23_mm;
+    const wide v25 = T13 * c1_p + T23 * s1_p;
+    const wide v26 = T13 * c1_m + T23 * s1_m;
+    const wide v27 = v25 * v25;
+    const wide v28 = v26 * v26;
+    const wide v29 = v27 + X4_pp * X4_pp;
+    const wide v30 = v27 + X4_pm * X4_pm;
+    const wide v31 = v28 + X4_mp * X4_mp;
+    const wide v32 = v28 + X4_mm * X4_mm;
+    const wide angle1_____ = atan2_wide(-v25, -X4_pp);
+    const wide angle1______ = atan2_wide(-v25, -X4_pm);
+    const wide angle1_______ = atan2_wide(-v26, -X4_mp);
+    const wide angle1________ = atan2_wide(-v26, -X4_mm);
+    const wide v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
+    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h1;
+    const wide q4_ppm = angle1_____ - v33;
+    const wide q4_pmm = angle1______ - v33;
+    const wide q4_mpm = angle1_______ - v34;
+    const wide q4_mmm = angle1________ - v34;
 
     /* theta5 */
-    const wide v38 = T33 * c23_pp;
-    const wide angle1_________ = atan2_wide(-sqrt_wide(v32), v38 + s23_pp * v26);
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v33), T33 * c23_pm - v25 * v26);
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v34), T33 * c23_mp + s23_mp * v27);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v35), v38 + -s23_pp * v27);
+    const wide v35 = T33 * c23_pp;
+    const wide angle1_________ = atan2_wide(-sqrt_wide(v29), v35 + s23_pp * v23);
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v30), T33 * c23_pm + s23_pm * v23);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v31), T33 * c23_mp + s23_mp * v24);
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v32), v35 + s23_mm * v24);
 
     /* theta6 */
-    const wide v39 = c1_p * T12 + s1_p * T22;
-    const wide v40 = c1_m * T12 + s1_m * T22;
-    const wide v41 = s1_p * T12 - c1_p * T22;
-    const wide v42 = s1_m * T12 - c1_m * T22;
-    const wide v43 = T11 * c1_p + T21 * s1_p;
-    const wide v44 = T11 * c1_m + T21 * s1_m;
-    const wide v45 = T11 * s1_p - T21 * c1_p;
-    const wide v46 = T11 * s1_m - T21 * c1_m;
-    const wide v47 = v28 * (s23_pp * T32 - c23_pp * v41) - -X4_pp * v39;
-    const wide v48 = X4_pm * v39 - v28 * (v25 * T32 + c23_pm * v41);
-    const wide v49 = v29 * (s23_mp * T32 - c23_mp * v42) - -X4_mp * v40;
-    const wide v50 = v29 * (-s23_pp * T32 - c23_pp * v42) - -X4_mm * v40;
-    const wide angle1_____________ = atan2_wide(v47, -X4_pp * v43 - v28 * (T31 * s23_pp - c23_pp *
-        v45));
-    const wide angle1______________ = atan2_wide(v48, v28 * (T31 * v25 + c23_pm * v45) - X4_pm *
-        v43);
-    const wide angle1_______________ = atan2_wide(v49, -X4_mp * v44 - v29 * (T31 * s23_mp - c23_mp *
-        v46));
-    const wide angle1________________ = atan2_wide(v50, -X4_mm * v44 - v29 * (T31 * -s23_pp - c23_pp
-        * v46));
-    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v47);
-    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v48);
-    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v49);
-    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide v36 = c1_p * T12 + s1_p * T22;
+    const wide v37 = c1_m * T12 + s1_m * T22;
+    const wide v38 = s1_p * T12 - c1_p * T22;
+    const wide v39 = s1_m * T12 - c1_m * T22;
+    const wide v40 = T11 * c1_p + T21 * s1_p;
+    const wide v41 = T11 * c1_m + T21 * s1_m;
+    const wide v42 = T11 * s1_p - T21 * c1_p;
+    const wide v43 = T11 * s1_m - T21 * c1_m;
+    const wide v44 = v25 * (s23_pp * T32 - c23_pp * v38) - -X4_pp * v36;
+    const wide v45 = v25 * (s23_pm * T32 - c23_pm * v38) - -X4_pm * v36;
+    const wide v46 = v26 * (s23_mp * T32 - c23_mp * v39) - -X4_mp * v37;
+    const wide v47 = v26 * (s23_mm * T32 - c23_pp * v39) - -X4_mm * v37;
+    const wide angle1_____________ = atan2_wide(v44, -X4_pp * v40 - v25 * (T31 * s23_pp - c23_pp *
+        v42));
+    const wide angle1______________ = atan2_wide(v45, -X4_pm * v40 - v25 * (T31 * s23_pm - c23_pm *
+        v42));
+    const wide angle1_______________ = atan2_wide(v46, -X4_mp * v41 - v26 * (T31 * s23_mp - c23_mp *
+        v43));
+    const wide angle1________________ = atan2_wide(v47, -X4_mm * v41 - v26 * (T31 * s23_mm - c23_pp
+        * v43));
+    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v47);
 
     /* joint values */
-    const wide angle1_________________ = atan2_wide(v8, v5);
-    const wide q1_ppp = v10 + angle1_________________;
-    const wide angle1__________________ = atan2_wide(v9, v6);
-    const wide q1_mpp = v10 + angle1__________________;
+    const wide angle1_________________ = atan2_wide(s1_p, c1_p);
+    const wide q1_ppp = v6 + angle1_________________;
+    const wide angle1__________________ = atan2_wide(s1_m, c1_m);
+    const wide q1_mpp = v6 + angle1__________________;
     const wide q3_ppp = v1 + angle1;
     const wide q3_pmp = v1 - angle1;
-    const wide_mask v51 = v18 <= m1;
-    const wide_mask doubt = (v51 | (v35 <= m2)) | (((v21 <= m1) | (v34 <= m2)) | (((v20 <= m1) |
-        (v33 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)))))
-        | (v51 | (v32 <= m2)))));
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v32 <= m5) |
+        ((v31 <= m5) | ((v16 <= m2) | ((v30 <= m5) | ((v15 <= m2) | ((v29 <= m5) |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (v13 <= m2)))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1_;
@@ -622,73 +709,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -708,129 +732,80 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = D3 * t24;
-    const double v3 = D3 * t14;
-    const double v4 = t24 * w1;
-    const four v5 = v3 + e1 * v4;
-    const four c1 = inverse1 * v5;
-    const double v6 = t14 * w1;
-    const four v7 = v2 - e1 * v6;
-    const four s1 = inverse1 * v7;
+    const double v2 = inverse1 * (D3 * t14);
+    const four c1 = v2 + w1 * (inverse1 * (e1 * t24));
+    const double v3 = inverse1 * (D3 * t24);
+    const four s1 = v3 - w1 * (inverse1 * (e1 * t14));
 
     /* theta3 */
     const double t34 = T34 + D3 * T31 + k1 * T33;
     const double N3 = D1 + t34 * t34;
-    const double K3 = N3 - k5;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v8 = w3 - w3;
-    const double s3 = k6 * w3;
-    const double c3 = k6 * K3;
+    const double v4 = w3 - w3;
 
     /* theta2 */
-    const double v9 = D4 * s3;
-    const double Y1_2 = L2 + D4 * c3;
-    const double v10 = w1 * Y1_2;
-    const double v11 = t34 * v9;
-    const four v12 = e2 * v11;
-    const four v13 = e1 * v10;
-    const four v14 = v12 + v13;
-    const double v15 = t34 * Y1_2;
-    const double v16 = w1 * v9;
-    const four C2 = v15 - v16 * (e1 * e2);
-    const four v17 = v14 * v14 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v17);
-    const four c2 = C2 * factor2;
-    const four v18 = v14 * factor2;
+    const four v5 = e2 * t34;
+    const four v6 = w3 * (m1 * v5);
+    const four v7 = m1 * (w1 * (e1 * N3));
+    const four v8 = v6 + v7;
+    const four v9 = e1 * e2;
+    const double v10 = m1 * (t34 * N3);
+    const four C2 = v10 - w3 * (m1 * (w1 * v9));
+    const four v11 = v8 * v8 + C2 * C2;
+    const four factor2 = 1.0 / sqrt_four(v11);
 
     /* theta4 */
-    const four c23 = c3 * c2 + e2 * (s3 * v18);
-    const four s23 = e2 * (s3 * c2) - c3 * v18;
-    const four v19 = T13 * s1 - T23 * c1;
-    const four X4 = c23 * v19 - T33 * s23;
-    const four v20 = T13 * c1 + T23 * s1;
-    const four v21 = v20 * v20;
-    const four v22 = v21 + X4 * X4;
-    const four v23 = copysign_four(all_four(half_turn), -v20) * h1;
+    const four c23 = factor2 * (v10 + w3 * (w1 * (m1 * v9)));
+    const double v12 = m3 * N3;
+    const double v13 = m1 - v12;
+    const four v14 = e1 * v13;
+    const double v15 = v12 - m4;
+    const four v16 = e2 * v15;
+    const four v17 = m1 * (w3 * v5);
+    const four s23 = factor2 * (v17 + w1 * (N3 * (v14 + v9 * v16)));
+    const four v18 = T13 * s1 - T23 * c1;
+    const four X4 = c23 * v18 - T33 * s23;
+    const four v19 = T13 * c1 + T23 * s1;
+    const four v20 = v19 * v19;
+    const four v21 = v20 + X4 * X4;
+    const four v22 = copysign_four(all_four(half_turn), -v19) * h1;
 
     /* theta6 */
-    const four v24 = c1 * T12 + s1 * T22;
-    const four v25 = s1 * T12 - c1 * T22;
-    const four v26 = T11 * c1 + T21 * s1;
-    const four v27 = T11 * s1 - T21 * c1;
-    const four v28 = v20 * (s23 * T32 - c23 * v25) - -X4 * v24;
+    const four v23 = c1 * T12 + s1 * T22;
+    const four v24 = s1 * T12 - c1 * T22;
+    const four v25 = T11 * c1 + T21 * s1;
+    const four v26 = T11 * s1 - T21 * c1;
+    const four v27 = v19 * (s23 * T32 - c23 * v24) - -X4 * v23;
 
     /* joint values */
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m1) | (v22 <= m2));
+    const four_mask doubt2 = (v11 <= m2) | (v21 <= m5);
+    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
+        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1_ = atan2_four(-v14, C2);
-    const four angle1__ = atan2_four(-v20, -X4);
-    const four angle1___ = atan2_four(-sqrt_four(v22), T33 * c23 + s23 * v19);
-    const four angle1____ = atan2_four(v28, -X4 * v26 - v20 * (T31 * s23 - c23 * v27));
-    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(v5, all_four(K3), 0, 5, 2, 3));
+    const four angle1_ = atan2_four(-v8, C2);
+    const four angle1__ = atan2_four(-v19, -X4);
+    const four angle1___ = atan2_four(-sqrt_four(v21), T33 * c23 + s23 * v18);
+    const four angle1____ = atan2_four(v27, -X4 * v25 - v19 * (T31 * s23 - c23 * v26));
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3));
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1__ - v23;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v28);
-    const four q1_p = v8 + angle1_____;
+    const four q4_m = angle1__ - v22;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v27);
+    const four q1_p = v4 + angle1_____;
     const four q3_p = v1 + e2 * angle1;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * PUMA_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -8,6 +8,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PUMA560_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DPUMA560_SCALAR. With -DPUMA560_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(PUMA560_SCALAR) && !defined(PUMA560_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef PUMA560_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & PUMA560_UNREACHABLE) \
+        | (~(none) & (outside) & PUMA560_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)PUMA560_UNREACHABLE \
+        : (outside) ? (int)PUMA560_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.67183; /* joint offset 1 [m] */
 static const double a2 = 0.4318; /* link length 2 [m] */
 static const double d3 = 0.15005; /* joint offset 3 [m] */
@@ -43,10 +339,15 @@ static const double low3 = -2.356194491192345; /* lowest value of joint 3 */
 static const double high3 = 2.356194491192345; /* highest value of joint 3 */
 static const double low5 = -1.7453292529943296; /* lowest value of joint 5 */
 static const double high5 = 1.7453292529943296; /* highest value of joint 5 */
-static const double m1 = 8.466269175855875e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 0.12579382426107213; /* a coefficient of s3 */
+static const double m2 = 0.9988973492016866; /* a coefficient of s3 */
+static const double m3 = 2.675752380095121; /* a coefficient of s3 */
+static const double m4 = 0.046960667412677716; /* a coefficient of c3 */
+static const double m5 = 1.1579434923575729; /* a coefficient of X1_2 */
+static const double m6 = 0.000477176933765627; /* a coefficient of X1_2 */
+static const double m7 = 1e-24; /* free_limit^2 */
+static const double m9 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m8 */
 
 const char *const puma560_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -213,209 +514,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef PUMA560_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DPUMA560_SCALAR. With -DPUMA560_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(PUMA560_SCALAR) && !defined(PUMA560_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef PUMA560_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PUMA560_UNREACHABLE) \
-        | (~(none) & (outside) & PUMA560_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_UNREACHABLE \
-        : (outside) ? (int)PUMA560_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -431,181 +529,162 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = d3 * T14;
-    const wide v3 = d3 * T24;
-    const wide v4 = T14 * w1;
-    const wide v5 = v4 - v3;
-    const wide v6 = v3 + v4;
-    const wide c1_p = inverse1 * v5;
-    const wide v7 = inverse1 * v6;
-    const wide v8 = T24 * w1;
-    const wide v9 = v2 + v8;
-    const wide v10 = v2 - v8;
-    const wide s1_p = inverse1 * v9;
-    const wide s1_m = inverse1 * v10;
-    const wide angle1 = atan2_wide(v9, v5);
-    const wide angle1_ = atan2_wide(v10, -v6);
+    const wide v2 = inverse1 * (d3 * T24);
+    const wide v3 = w1 * (T14 * inverse1);
+    const wide c1_p = v3 - v2;
+    const wide v4 = v2 + v3;
+    const wide v5 = inverse1 * (d3 * T14);
+    const wide v6 = w1 * (T24 * inverse1);
+    const wide s1_p = v5 + v6;
+    const wide s1_m = v5 - v6;
+    const wide angle1 = atan2_wide(s1_p, c1_p);
+    const wide angle1_ = atan2_wide(s1_m, -v4);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide K3 = N3 - k6;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v11 = w3 - w3;
-    const wide v12 = k4 * K3;
-    const wide v13 = k5 * w3;
-    const wide s3_p = k7 * (v13 - v12);
-    const wide v14 = k7 * (v12 + v13);
-    const wide v15 = k5 * K3;
-    const wide v16 = k4 * w3;
-    const wide c3_p = k7 * (v15 + v16);
-    const wide c3_m = k7 * (v15 - v16);
-    const wide angle1__ = atan2_wide(w3, K3);
+    const wide v7 = w3 - w3;
+    const wide v8 = m2 - m3 * N3;
+    const wide v9 = m1 * w3;
+    const wide s3_p = v8 + v9;
+    const wide s3_m = v8 - v9;
+    const wide v10 = m1 * N3 - m4;
+    const wide v11 = m3 * w3;
+    const wide c3_p = v10 + v11;
+    const wide c3_m = v10 - v11;
+    const wide angle1__ = atan2_wide(w3, N3 - k6);
     const wide q3__p = angle1__ - turn1;
-    const wide v17 = turn1 + angle1__;
+    const wide v12 = turn1 + angle1__;
 
     /* theta2 */
-    const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v14);
-    const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v14;
-    const wide v18 = Z1_3 * X1_2_p;
-    const wide v19 = Z1_3 * X1_2_m;
-    const wide v20 = w1 * Y1_2_p;
-    const wide v21 = w1 * Y1_2_m;
-    const wide S2_pp = v18 - v20;
-    const wide S2_pm = v19 - v21;
-    const wide S2_mp = v18 + v20;
-    const wide S2_mm = v19 + v21;
-    const wide v22 = w1 * X1_2_p;
-    const wide v23 = w1 * X1_2_m;
-    const wide v24 = Z1_3 * Y1_2_p;
-    const wide v25 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v22 + v24;
-    const wide C2_pm = v23 + v25;
-    const wide C2_mp = v24 - v22;
-    const wide C2_mm = v25 - v23;
-    const wide v26 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v27 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v28 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v29 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v26);
-    const wide factor2_pm = 1.0 / sqrt_wide(v27);
-    const wide factor2_mp = 1.0 / sqrt_wide(v28);
-    const wide factor2_mm = 1.0 / sqrt_wide(v29);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide X1_2 = m5 * N3 - m6;
+    const wide v13 = Z1_3 * X1_2;
+    const wide v14 = w3 * (m5 * w1);
+    const wide S2_pp = v13 - v14;
+    const wide S2_pm = v13 + v14;
+    const wide v15 = w3 * (m5 * Z1_3);
+    const wide v16 = w3 * (m5 * -Z1_3);
+    const wide v17 = w1 * X1_2;
+    const wide v18 = w1 * -X1_2;
+    const wide C2_pp = v15 + v17;
+    const wide C2_pm = v16 + v17;
+    const wide C2_mp = v15 + v18;
+    const wide C2_mm = v16 + v18;
+    const wide factor2 = 1.0 / N3;
     const wide angle1___ = atan2_wide(S2_pp, C2_pp);
     const wide angle1____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1_____ = atan2_wide(S2_mp, C2_mp);
-    const wide angle1______ = atan2_wide(S2_mm, C2_mm);
+    const wide angle1_____ = atan2_wide(S2_pm, C2_mp);
+    const wide angle1______ = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_p * c2_pp - s3_p * s2_pp;
-    const wide c23_pm = c3_m * c2_pm + v14 * s2_pm;
-    const wide c23_mp = c3_p * c2_mp - s3_p * s2_mp;
-    const wide c23_mm = c3_m * c2_mm + v14 * s2_mm;
-    const wide s23_pp = c3_p * s2_pp + s3_p * c2_pp;
-    const wide s23_pm = c3_m * s2_pm - v14 * c2_pm;
-    const wide s23_mp = c3_p * s2_mp + s3_p * c2_mp;
-    const wide s23_mm = c3_m * s2_mm - v14 * c2_mm;
-    const wide v30 = c1_p * T13 + s1_p * T23;
-    const wide v31 = s1_m * T23 - v7 * T13;
-    const wide c4_pp = c23_pp * v30 + s23_pp * T33;
-    const wide c4_pm = c23_pm * v30 + s23_pm * T33;
-    const wide c4_mp = c23_mp * v31 + s23_mp * T33;
-    const wide c4_mm = c23_mm * v31 + s23_mm * T33;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
+    const wide c23_pm = c3_m * C2_pm - s3_m * S2_pm;
+    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm;
+    const wide c23_mm = c3_m * C2_mm - s3_m * S2_pp;
+    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp;
+    const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
+    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
+    const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
+    const wide v19 = c1_p * T13 + s1_p * T23;
+    const wide v20 = s1_m * T23 - v4 * T13;
+    const wide c4_pp = c23_pp * v19 + s23_pp * T33;
+    const wide c4_pm = c23_pm * v19 + s23_pm * T33;
+    const wide c4_mp = c23_mp * v20 + s23_mp * T33;
+    const wide c4_mm = c23_mm * v20 + s23_mm * T33;
     const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v32 = v7 * T23 + s1_m * T13;
-    const wide v33 = Y4_p * Y4_p;
-    const wide v34 = v32 * v32;
-    const wide v35 = v33 + c4_pp * c4_pp;
-    const wide v36 = v33 + c4_pm * c4_pm;
-    const wide v37 = v34 + c4_mp * c4_mp;
-    const wide v38 = v34 + c4_mm * c4_mm;
-    const wide angle1_______ = atan2_wide(Y4_p, c4_pp);
-    const wide angle1________ = atan2_wide(Y4_p, c4_pm);
-    const wide angle1_________ = atan2_wide(-v32, c4_mp);
-    const wide angle1__________ = atan2_wide(-v32, c4_mm);
-    const wide v39 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v40 = copysign_wide(all_wide(half_turn), -v32) * h1;
-    const wide q4_ppm = angle1_______ - v39;
-    const wide q4_pmm = angle1________ - v39;
-    const wide q4_mpm = angle1_________ - v40;
-    const wide q4_mmm = angle1__________ - v40;
+    const wide v21 = v4 * T23 + s1_m * T13;
+    const wide v22 = Y4_p * Y4_p;
+    const wide v23 = v21 * v21;
+    const wide v24 = factor2 * c4_pp;
+    const wide v25 = factor2 * c4_pm;
+    const wide v26 = factor2 * c4_mp;
+    const wide v27 = factor2 * c4_mm;
+    const wide v28 = v22 + factor2 * (c4_pp * v24);
+    const wide v29 = v22 + factor2 * (c4_pm * v25);
+    const wide v30 = v23 + factor2 * (c4_mp * v26);
+    const wide v31 = v23 + factor2 * (c4_mm * v27);
+    const wide angle1_______ = atan2_wide(Y4_p, v24);
+    const wide angle1________ = atan2_wide(Y4_p, v25);
+    const wide angle1_________ = atan2_wide(-v21, v26);
+    const wide angle1__________ = atan2_wide(-v21, v27);
+    const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
+    const wide q4_ppm = angle1_______ - v32;
+    const wide q4_pmm = angle1________ - v32;
+    const wide q4_mpm = angle1_________ - v33;
+    const wide q4_mmm = angle1__________ - v33;
 
     /* theta5 */
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v35), c23_pp * T33 - s23_pp * v30);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v36), c23_pm * T33 - s23_pm * v30);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v37), c23_mp * T33 - s23_mp * v31);
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v38), c23_mm * T33 - s23_mm * v31);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp *
+        v19));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm *
+        v19));
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp *
+        v20));
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm *
+        v20));
 
     /* theta6 */
-    const wide v41 = s1_p * T12 - c1_p * T22;
-    const wide v42 = s1_m * T12 + v7 * T22;
-    const wide v43 = c1_p * T12 + s1_p * T22;
-    const wide v44 = s1_m * T22 - v7 * T12;
-    const wide v45 = s1_p * T11 - c1_p * T21;
-    const wide v46 = s1_m * T11 + v7 * T21;
-    const wide v47 = c1_p * T11 + s1_p * T21;
-    const wide v48 = s1_m * T21 - v7 * T11;
-    const wide angle1_______________ = atan2_wide(-(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp *
-        T31)), -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32)));
-    const wide angle1________________ = atan2_wide(-(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm *
-        T31)), -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32)));
-    const wide v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46;
-    const wide angle1_________________ = atan2_wide(v49, v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp
-        * v42);
-    const wide v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46;
-    const wide angle1__________________ = atan2_wide(v50, v32 * (c23_mm * v44 + s23_mm * T32) -
-        c4_mm * v42);
+    const wide v34 = s1_p * T12 - c1_p * T22;
+    const wide v35 = s1_m * T12 + v4 * T22;
+    const wide v36 = c1_p * T12 + s1_p * T22;
+    const wide v37 = s1_m * T22 - v4 * T12;
+    const wide v38 = s1_p * T11 - c1_p * T21;
+    const wide v39 = s1_m * T11 + v4 * T21;
+    const wide v40 = c1_p * T11 + s1_p * T21;
+    const wide v41 = s1_m * T21 - v4 * T11;
+    const wide angle1_______________ = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
+        T31)), -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
+    const wide angle1________________ = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
+        T31)), -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
+    const wide v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39;
+    const wide angle1_________________ = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp
+        * v35);
+    const wide v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39;
+    const wide angle1__________________ = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) -
+        c4_mm * v35);
     const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pp *
-        v45 + Y4_p * (c23_pp * v47 + s23_pp * T31)));
+        v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
     const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pm *
-        v45 + Y4_p * (c23_pm * v47 + s23_pm * T31)));
-    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v49);
-    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v50);
+        v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
+    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v43);
 
     /* joint values */
-    const wide v51 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide v52 = pick_wide(-v17 <= -half_turn, all_wide(m4), all_wide(0.0)) - v17;
-    const wide_mask v53 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v54 = (angle1_ < low1) | (high1 < angle1_);
-    const wide_mask v55 = (v51 < low3) | (high3 < v51);
-    const wide_mask v56 = (v52 < low3) | (high3 < v52);
-    const wide q1_ppp = angle1 + v11;
-    const wide q1_mpp = angle1_ + v11;
-    const wide q3_ppp = v1 + v51;
-    const wide q3_pmp = v1 + v52;
-    const wide_mask v57 = v55 | (v53 | ((angle1___ < low2) | (high2 < angle1___)));
-    const wide_mask v58 = v56 | (v53 | ((angle1____ < low2) | (high2 < angle1____)));
-    const wide_mask v59 = v55 | (v54 | ((angle1_____ < low2) | (high2 < angle1_____)));
-    const wide_mask v60 = v56 | (v54 | ((angle1______ < low2) | (high2 < angle1______)));
-    const wide_mask outside_ppp = v57 | ((angle1___________ < low5) | (high5 < angle1___________));
-    const wide_mask outside_ppm = v57 | ((-angle1___________ < low5) | (high5 <
+    const wide v44 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m9), all_wide(0.0));
+    const wide v45 = pick_wide(-v12 <= -half_turn, all_wide(m9), all_wide(0.0)) - v12;
+    const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v47 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v48 = (v44 < low3) | (high3 < v44);
+    const wide_mask v49 = (v45 < low3) | (high3 < v45);
+    const wide q1_ppp = angle1 + v7;
+    const wide q1_mpp = angle1_ + v7;
+    const wide q3_ppp = v1 + v44;
+    const wide q3_pmp = v1 + v45;
+    const wide_mask v50 = v48 | (v46 | ((angle1___ < low2) | (high2 < angle1___)));
+    const wide_mask v51 = v49 | (v46 | ((angle1____ < low2) | (high2 < angle1____)));
+    const wide_mask v52 = v48 | (v47 | ((angle1_____ < low2) | (high2 < angle1_____)));
+    const wide_mask v53 = v49 | (v47 | ((angle1______ < low2) | (high2 < angle1______)));
+    const wide_mask outside_ppp = v50 | ((angle1___________ < low5) | (high5 < angle1___________));
+    const wide_mask outside_ppm = v50 | ((-angle1___________ < low5) | (high5 <
         -angle1___________));
-    const wide_mask outside_pmp = v58 | ((angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmp = v51 | ((angle1____________ < low5) | (high5 <
         angle1____________));
-    const wide_mask outside_pmm = v58 | ((-angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmm = v51 | ((-angle1____________ < low5) | (high5 <
         -angle1____________));
-    const wide_mask outside_mpp = v59 | ((angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpp = v52 | ((angle1_____________ < low5) | (high5 <
         angle1_____________));
-    const wide_mask outside_mpm = v59 | ((-angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpm = v52 | ((-angle1_____________ < low5) | (high5 <
         -angle1_____________));
-    const wide_mask outside_mmp = v60 | ((angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmp = v53 | ((angle1______________ < low5) | (high5 <
         angle1______________));
-    const wide_mask outside_mmm = v60 | ((-angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmm = v53 | ((-angle1______________ < low5) | (high5 <
         -angle1______________));
-    const wide_mask doubt = ((v29 <= m1) | (v38 <= m2)) | (((v28 <= m1) | (v37 <= m2)) | (((v27 <=
-        m1) | (v36 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0))))) | ((v26 <= m1) | (v35 <= m2)))));
+    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28
+        <= m7) | (v29 <= m7)))))));
 
     q[0] = q1_ppp;
     q[1] = angle1___;
@@ -664,73 +743,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -748,139 +764,89 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = d3 * T14;
-    const double v3 = d3 * T24;
-    const double v4 = T14 * w1;
-    const four v5 = e1 * v4 - v3;
-    const four c1 = inverse1 * v5;
-    const double v6 = T24 * w1;
-    const four v7 = v2 + e1 * v6;
-    const four s1 = inverse1 * v7;
+    const double v2 = inverse1 * (d3 * T24);
+    const four c1 = w1 * (inverse1 * (e1 * T14)) - v2;
+    const double v3 = inverse1 * (d3 * T14);
+    const four s1 = v3 + w1 * (inverse1 * (e1 * T24));
 
     /* theta3 */
     const double Z1_3 = T34 - d1;
     const double N3 = D1 + Z1_3 * Z1_3;
-    const double K3 = N3 - k6;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v8 = w3 - w3;
-    const double v9 = k4 * K3;
-    const double v10 = k5 * w3;
-    const four s3 = k7 * (e2 * v10 - v9);
-    const double v11 = k5 * K3;
-    const double v12 = k4 * w3;
-    const four c3 = k7 * (v11 + e2 * v12);
+    const double v4 = w3 - w3;
+    const double v5 = m2 - m3 * N3;
+    const four s3 = v5 + w3 * (m1 * e2);
+    const double v6 = m1 * N3 - m4;
+    const four c3 = v6 + w3 * (m3 * e2);
 
     /* theta2 */
-    const four X1_2 = a2 + (a3 * c3 - d4 * s3);
-    const four Y1_2 = d4 * c3 + a3 * s3;
-    const four v13 = Z1_3 * X1_2;
-    const four v14 = w1 * Y1_2;
-    const four S2 = v13 - e1 * v14;
-    const four v15 = w1 * X1_2;
-    const four v16 = Z1_3 * Y1_2;
-    const four C2 = v16 + e1 * v15;
-    const four v17 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v17);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const double X1_2 = m5 * N3 - m6;
+    const double v7 = Z1_3 * X1_2;
+    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2)));
+    const four v8 = w3 * (m5 * (e2 * Z1_3));
+    const four v9 = w1 * (e1 * X1_2);
+    const four C2 = v8 + v9;
+    const double factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * c2 - s3 * s2;
-    const four s23 = c3 * s2 + s3 * c2;
-    const four v18 = c1 * T13 + s1 * T23;
-    const four c4 = c23 * v18 + s23 * T33;
+    const four c23 = c3 * C2 - s3 * S2;
+    const four s23 = c3 * S2 + s3 * C2;
+    const four v10 = c1 * T13 + s1 * T23;
+    const four c4 = c23 * v10 + s23 * T33;
     const four Y4 = c1 * T23 - s1 * T13;
-    const four v19 = Y4 * Y4;
-    const four v20 = v19 + c4 * c4;
-    const four v21 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v11 = Y4 * Y4;
+    const four v12 = factor2 * c4;
+    const four v13 = v11 + factor2 * (c4 * v12);
+    const four_mask doubt2 = v13 <= m7;
+    const four v14 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v22 = s1 * T12 - c1 * T22;
-    const four v23 = c1 * T12 + s1 * T22;
-    const four v24 = s1 * T11 - c1 * T21;
-    const four v25 = c1 * T11 + s1 * T21;
+    const four v15 = s1 * T12 - c1 * T22;
+    const four v16 = c1 * T12 + s1 * T22;
+    const four v17 = s1 * T11 - c1 * T21;
+    const four v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v17 <= m1) | (v20 <= m2));
+    const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
+        free_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
     const four angle1__ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(Y4, c4);
-    const four angle1____ = atan2_four(-sqrt_four(v20), c23 * T33 - s23 * v18);
-    const four angle1_____ = atan2_four(-(c4 * v24 + Y4 * (c23 * v25 + s23 * T31)), -(c4 * v22 + Y4
-        * (c23 * v23 + s23 * T32)));
-    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(v5, all_four(K3), 0, 5, 2, 3));
+    const four angle1___ = atan2_four(Y4, v12);
+    const four angle1____ = atan2_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10));
+    const four angle1_____ = atan2_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4
+        * (c23 * v16 + s23 * T32)));
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
+        __builtin_shufflevector(c1, all_four(N3 - k6), 0, 5, 2, 3));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1___ - v21;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), -(c4 * v24 + Y4 * (c23 *
-        v25 + s23 * T31)));
-    const four v26 = q3_ + pick_four(q3_ <= -half_turn, all_four(m4), all_four(0.0));
-    const four_mask v27 = (angle1 < low1) | (high1 < angle1);
-    const four_mask v28 = (v26 < low3) | (high3 < v26);
-    const four q1_p = angle1 + v8;
-    const four q3_p = v1 + v26;
-    const four_mask v29 = v28 | (v27 | ((angle1__ < low2) | (high2 < angle1__)));
-    const four_mask outside_p = v29 | ((angle1____ < low5) | (high5 < angle1____));
-    const four_mask outside_m = v29 | ((-angle1____ < low5) | (high5 < -angle1____));
+    const four q4_m = angle1___ - v14;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 *
+        v18 + s23 * T31)));
+    const four v19 = q3_ + pick_four(q3_ <= -half_turn, all_four(m9), all_four(0.0));
+    const four_mask v20 = (angle1 < low1) | (high1 < angle1);
+    const four_mask v21 = (v19 < low3) | (high3 < v19);
+    const four q1_p = angle1 + v4;
+    const four q3_p = v1 + v19;
+    const four_mask v22 = v21 | (v20 | ((angle1__ < low2) | (high2 < angle1__)));
+    const four_mask outside_p = v22 | ((angle1____ < low5) | (high5 < angle1____));
+    const four_mask outside_m = v22 | ((-angle1____ < low5) | (high5 < -angle1____));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * PUMA560_UNREACHABLE + (outside1 & ~none1) *
+        PUMA560_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

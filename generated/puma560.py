@@ -85,10 +85,15 @@ low3 = -2.356194491192345  # lowest value of joint 3
 high3 = 2.356194491192345  # highest value of joint 3
 low5 = -1.7453292529943296  # lowest value of joint 5
 high5 = 1.7453292529943296  # highest value of joint 5
-m1 = 8.466269175855875e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 0.12579382426107213  # a coefficient of s3
+m2 = 0.9988973492016866  # a coefficient of s3
+m3 = 2.675752380095121  # a coefficient of s3
+m4 = 0.046960667412677716  # a coefficient of c3
+m5 = 1.1579434923575729  # a coefficient of X1_2
+m6 = 0.000477176933765627  # a coefficient of X1_2
+m7 = 1e-24  # free_limit^2
+m9 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m8
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -481,184 +486,160 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = d3 * T14
-    v3 = d3 * T24
-    v4 = T14 * w1
-    v5 = v4 - v3
-    v6 = v3 + v4
-    c1_p = inverse1 * v5
-    v7 = inverse1 * v6
-    v8 = T24 * w1
-    v9 = v2 + v8
-    v10 = v2 - v8
-    s1_p = inverse1 * v9
-    s1_m = inverse1 * v10
-    angle1 = _atan2(v9, v5)
-    angle1_ = _atan2(v10, -v6)
+    v2 = inverse1 * (d3 * T24)
+    v3 = w1 * (T14 * inverse1)
+    c1_p = v3 - v2
+    v4 = v2 + v3
+    v5 = inverse1 * (d3 * T14)
+    v6 = w1 * (T24 * inverse1)
+    s1_p = v5 + v6
+    s1_m = v5 - v6
+    angle1 = _atan2(s1_p, c1_p)
+    angle1_ = _atan2(s1_m, -v4)
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = D1 + Z1_3 * Z1_3
-    K3 = N3 - k6
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v11 = w3 - w3
-    v12 = k4 * K3
-    v13 = k5 * w3
-    s3_p = k7 * (v13 - v12)
-    v14 = k7 * (v12 + v13)
-    v15 = k5 * K3
-    v16 = k4 * w3
-    c3_p = k7 * (v15 + v16)
-    c3_m = k7 * (v15 - v16)
-    angle1__ = _atan2(w3, K3)
+    v7 = w3 - w3
+    v8 = m2 - m3 * N3
+    v9 = m1 * w3
+    s3_p = v8 + v9
+    s3_m = v8 - v9
+    v10 = m1 * N3 - m4
+    v11 = m3 * w3
+    c3_p = v10 + v11
+    c3_m = v10 - v11
+    angle1__ = _atan2(w3, N3 - k6)
     q3__p = angle1__ - turn1
-    v17 = turn1 + angle1__
+    v12 = turn1 + angle1__
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-    X1_2_m = a2 + (a3 * c3_m + d4 * v14)
-    Y1_2_p = d4 * c3_p + a3 * s3_p
-    Y1_2_m = d4 * c3_m - a3 * v14
-    v18 = Z1_3 * X1_2_p
-    v19 = Z1_3 * X1_2_m
-    v20 = w1 * Y1_2_p
-    v21 = w1 * Y1_2_m
-    S2_pp = v18 - v20
-    S2_pm = v19 - v21
-    S2_mp = v18 + v20
-    S2_mm = v19 + v21
-    v22 = w1 * X1_2_p
-    v23 = w1 * X1_2_m
-    v24 = Z1_3 * Y1_2_p
-    v25 = Z1_3 * Y1_2_m
-    C2_pp = v22 + v24
-    C2_pm = v23 + v25
-    C2_mp = v24 - v22
-    C2_mm = v25 - v23
-    v26 = S2_pp * S2_pp + C2_pp * C2_pp
-    v27 = S2_pm * S2_pm + C2_pm * C2_pm
-    v28 = S2_mp * S2_mp + C2_mp * C2_mp
-    v29 = S2_mm * S2_mm + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v26)
-    factor2_pm = 1.0 / math.sqrt(v27)
-    factor2_mp = 1.0 / math.sqrt(v28)
-    factor2_mm = 1.0 / math.sqrt(v29)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    c2_mm = C2_mm * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    X1_2 = m5 * N3 - m6
+    v13 = Z1_3 * X1_2
+    v14 = w3 * (m5 * w1)
+    S2_pp = v13 - v14
+    S2_pm = v13 + v14
+    v15 = w3 * (m5 * Z1_3)
+    v16 = w3 * (m5 * -Z1_3)
+    v17 = w1 * X1_2
+    v18 = w1 * -X1_2
+    C2_pp = v15 + v17
+    C2_pm = v16 + v17
+    C2_mp = v15 + v18
+    C2_mm = v16 + v18
+    factor2 = 1.0 / N3
     angle1___ = _atan2(S2_pp, C2_pp)
     angle1____ = _atan2(S2_pm, C2_pm)
-    angle1_____ = _atan2(S2_mp, C2_mp)
-    angle1______ = _atan2(S2_mm, C2_mm)
+    angle1_____ = _atan2(S2_pm, C2_mp)
+    angle1______ = _atan2(S2_pp, C2_mm)
 
     # theta4, type 2: U4[3, 3]
-    c23_pp = c3_p * c2_pp - s3_p * s2_pp
-    c23_pm = c3_m * c2_pm + v14 * s2_pm
-    c23_mp = c3_p * c2_mp - s3_p * s2_mp
-    c23_mm = c3_m * c2_mm + v14 * s2_mm
-    s23_pp = c3_p * s2_pp + s3_p * c2_pp
-    s23_pm = c3_m * s2_pm - v14 * c2_pm
-    s23_mp = c3_p * s2_mp + s3_p * c2_mp
-    s23_mm = c3_m * s2_mm - v14 * c2_mm
-    v30 = c1_p * T13 + s1_p * T23
-    v31 = s1_m * T23 - v7 * T13
-    c4_pp = c23_pp * v30 + s23_pp * T33
-    c4_pm = c23_pm * v30 + s23_pm * T33
-    c4_mp = c23_mp * v31 + s23_mp * T33
-    c4_mm = c23_mm * v31 + s23_mm * T33
+    c23_pp = c3_p * C2_pp - s3_p * S2_pp
+    c23_pm = c3_m * C2_pm - s3_m * S2_pm
+    c23_mp = c3_p * C2_mp - s3_p * S2_pm
+    c23_mm = c3_m * C2_mm - s3_m * S2_pp
+    s23_pp = c3_p * S2_pp + s3_p * C2_pp
+    s23_pm = c3_m * S2_pm + s3_m * C2_pm
+    s23_mp = c3_p * S2_pm + s3_p * C2_mp
+    s23_mm = c3_m * S2_pp + s3_m * C2_mm
+    v19 = c1_p * T13 + s1_p * T23
+    v20 = s1_m * T23 - v4 * T13
+    c4_pp = c23_pp * v19 + s23_pp * T33
+    c4_pm = c23_pm * v19 + s23_pm * T33
+    c4_mp = c23_mp * v20 + s23_mp * T33
+    c4_mm = c23_mm * v20 + s23_mm * T33
     Y4_p = c1_p * T23 - s1_p * T13
-    v32 = v7 * T23 + s1_m * T13
-    v33 = Y4_p * Y4_p
-    v34 = v32 * v32
-    v35 = v33 + c4_pp * c4_pp
-    v36 = v33 + c4_pm * c4_pm
-    v37 = v34 + c4_mp * c4_mp
-    v38 = v34 + c4_mm * c4_mm
-    angle1_______ = _atan2(Y4_p, c4_pp)
-    angle1________ = _atan2(Y4_p, c4_pm)
-    angle1_________ = _atan2(-v32, c4_mp)
-    angle1__________ = _atan2(-v32, c4_mm)
-    v39 = math.copysign(half_turn, Y4_p) * h1
-    v40 = math.copysign(half_turn, -v32) * h1
-    q4_ppm = angle1_______ - v39
-    q4_pmm = angle1________ - v39
-    q4_mpm = angle1_________ - v40
-    q4_mmm = angle1__________ - v40
+    v21 = v4 * T23 + s1_m * T13
+    v22 = Y4_p * Y4_p
+    v23 = v21 * v21
+    v24 = factor2 * c4_pp
+    v25 = factor2 * c4_pm
+    v26 = factor2 * c4_mp
+    v27 = factor2 * c4_mm
+    v28 = v22 + factor2 * (c4_pp * v24)
+    v29 = v22 + factor2 * (c4_pm * v25)
+    v30 = v23 + factor2 * (c4_mp * v26)
+    v31 = v23 + factor2 * (c4_mm * v27)
+    angle1_______ = _atan2(Y4_p, v24)
+    angle1________ = _atan2(Y4_p, v25)
+    angle1_________ = _atan2(-v21, v26)
+    angle1__________ = _atan2(-v21, v27)
+    v32 = math.copysign(half_turn, Y4_p) * h1
+    v33 = math.copysign(half_turn, -v21) * h1
+    q4_ppm = angle1_______ - v32
+    q4_pmm = angle1________ - v32
+    q4_mpm = angle1_________ - v33
+    q4_mmm = angle1__________ - v33
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1___________ = _atan2(-math.sqrt(v35), c23_pp * T33 - s23_pp * v30)
-    angle1____________ = _atan2(-math.sqrt(v36), c23_pm * T33 - s23_pm * v30)
-    angle1_____________ = _atan2(-math.sqrt(v37), c23_mp * T33 - s23_mp * v31)
-    angle1______________ = _atan2(-math.sqrt(v38), c23_mm * T33 - s23_mm * v31)
+    angle1___________ = _atan2(-math.sqrt(v28), factor2 * (c23_pp * T33 - s23_pp * v19))
+    angle1____________ = _atan2(-math.sqrt(v29), factor2 * (c23_pm * T33 - s23_pm * v19))
+    angle1_____________ = _atan2(-math.sqrt(v30), factor2 * (c23_mp * T33 - s23_mp * v20))
+    angle1______________ = _atan2(-math.sqrt(v31), factor2 * (c23_mm * T33 - s23_mm * v20))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v41 = s1_p * T12 - c1_p * T22
-    v42 = s1_m * T12 + v7 * T22
-    v43 = c1_p * T12 + s1_p * T22
-    v44 = s1_m * T22 - v7 * T12
-    v45 = s1_p * T11 - c1_p * T21
-    v46 = s1_m * T11 + v7 * T21
-    v47 = c1_p * T11 + s1_p * T21
-    v48 = s1_m * T21 - v7 * T11
+    v34 = s1_p * T12 - c1_p * T22
+    v35 = s1_m * T12 + v4 * T22
+    v36 = c1_p * T12 + s1_p * T22
+    v37 = s1_m * T22 - v4 * T12
+    v38 = s1_p * T11 - c1_p * T21
+    v39 = s1_m * T11 + v4 * T21
+    v40 = c1_p * T11 + s1_p * T21
+    v41 = s1_m * T21 - v4 * T11
     angle1_______________ = (
-        _atan2(-(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31)), -(c4_pp * v41 + Y4_p * (c23_pp
-        * v43 + s23_pp * T32)))
+        _atan2(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp * v34 + Y4_p * (c23_pp
+        * v36 + s23_pp * T32)))
     )
     angle1________________ = (
-        _atan2(-(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31)), -(c4_pm * v41 + Y4_p * (c23_pm
-        * v43 + s23_pm * T32)))
+        _atan2(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm * v34 + Y4_p * (c23_pm
+        * v36 + s23_pm * T32)))
     )
-    v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46
-    angle1_________________ = _atan2(v49, v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42)
-    v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46
-    angle1__________________ = _atan2(v50, v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42)
+    v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
+    angle1_________________ = _atan2(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35)
+    v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
+    angle1__________________ = _atan2(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35)
     q6_ppm = (
-        angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v45 + Y4_p * (c23_pp * v47 +
+        angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
         s23_pp * T31)))
     )
     q6_pmm = (
-        angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v45 + Y4_p * (c23_pm * v47
+        angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40
         + s23_pm * T31)))
     )
-    q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v49)
-    q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v50)
+    q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v42)
+    q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v43)
 
     # joint values
-    v51 = q3__p + (m4 if q3__p <= -half_turn else 0.0)
-    v52 = (m4 if -v17 <= -half_turn else 0.0) - v17
-    v53 = angle1 < low1 or high1 < angle1
-    v54 = angle1_ < low1 or high1 < angle1_
-    v55 = v51 < low3 or high3 < v51
-    v56 = v52 < low3 or high3 < v52
-    q1_ppp = angle1 + v11
-    q1_mpp = angle1_ + v11
-    q3_ppp = v1 + v51
-    q3_pmp = v1 + v52
-    v57 = v55 or (v53 or (angle1___ < low2 or high2 < angle1___))
-    v58 = v56 or (v53 or (angle1____ < low2 or high2 < angle1____))
-    v59 = v55 or (v54 or (angle1_____ < low2 or high2 < angle1_____))
-    v60 = v56 or (v54 or (angle1______ < low2 or high2 < angle1______))
-    outside_ppp = v57 or (angle1___________ < low5 or high5 < angle1___________)
-    outside_ppm = v57 or (-angle1___________ < low5 or high5 < -angle1___________)
-    outside_pmp = v58 or (angle1____________ < low5 or high5 < angle1____________)
-    outside_pmm = v58 or (-angle1____________ < low5 or high5 < -angle1____________)
-    outside_mpp = v59 or (angle1_____________ < low5 or high5 < angle1_____________)
-    outside_mpm = v59 or (-angle1_____________ < low5 or high5 < -angle1_____________)
-    outside_mmp = v60 or (angle1______________ < low5 or high5 < angle1______________)
-    outside_mmm = v60 or (-angle1______________ < low5 or high5 < -angle1______________)
-    doubt = (
-        v29 <= m1 or v38 <= m2 or (v28 <= m1 or v37 <= m2 or (v27 <= m1 or v36 <= m2 or
-        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v26 <= m1 or v35 <=
-        m2))))
+    v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
+    v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
+    v46 = angle1 < low1 or high1 < angle1
+    v47 = angle1_ < low1 or high1 < angle1_
+    v48 = v44 < low3 or high3 < v44
+    v49 = v45 < low3 or high3 < v45
+    q1_ppp = angle1 + v7
+    q1_mpp = angle1_ + v7
+    q3_ppp = v1 + v44
+    q3_pmp = v1 + v45
+    v50 = v48 or (v46 or (angle1___ < low2 or high2 < angle1___))
+    v51 = v49 or (v46 or (angle1____ < low2 or high2 < angle1____))
+    v52 = v48 or (v47 or (angle1_____ < low2 or high2 < angle1_____))
+    v53 = v49 or (v47 or (angle1______ < low2 or high2 < angle1______))
+    outside_ppp = v50 or (angle1___________ < low5 or high5 < angle1___________)
+    outside_ppm = v50 or (-angle1___________ < low5 or high5 < -angle1___________)
+    outside_pmp = v51 or (angle1____________ < low5 or high5 < angle1____________)
+    outside_pmm = v51 or (-angle1____________ < low5 or high5 < -angle1____________)
+    outside_mpp = v52 or (angle1_____________ < low5 or high5 < angle1_____________)
+    outside_mpm = v52 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+    outside_mmp = v53 or (angle1______________ < low5 or high5 < angle1______________)
+    outside_mmm = v53 or (-angle1______________ < low5 or high5 < -angle1______________)
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
+        free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle1___
@@ -906,109 +887,85 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = d3 * T14
-            v3 = d3 * T24
-            v4 = T14 * w1
-            v5 = v4 - v3
-            v6 = v3 + v4
-            c1_p = inverse1 * v5
-            v7 = inverse1 * v6
-            v8 = T24 * w1
-            v9 = v2 + v8
-            v10 = v2 - v8
-            s1_p = inverse1 * v9
-            s1_m = inverse1 * v10
+            v2 = inverse1 * (d3 * T24)
+            v3 = w1 * (T14 * inverse1)
+            c1_p = v3 - v2
+            v4 = v2 + v3
+            v5 = inverse1 * (d3 * T14)
+            v6 = w1 * (T24 * inverse1)
+            s1_p = v5 + v6
+            s1_m = v5 - v6
             Z1_3 = T34 - d1
             N3 = D1 + Z1_3 * Z1_3
-            K3 = N3 - k6
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v11 = w3 - w3
-            v12 = k4 * K3
-            v13 = k5 * w3
-            s3_p = k7 * (v13 - v12)
-            v14 = k7 * (v12 + v13)
-            v15 = k5 * K3
-            v16 = k4 * w3
-            c3_p = k7 * (v15 + v16)
-            c3_m = k7 * (v15 - v16)
-            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-            X1_2_m = a2 + (a3 * c3_m + d4 * v14)
-            Y1_2_p = d4 * c3_p + a3 * s3_p
-            Y1_2_m = d4 * c3_m - a3 * v14
-            v18 = Z1_3 * X1_2_p
-            v19 = Z1_3 * X1_2_m
-            v20 = w1 * Y1_2_p
-            v21 = w1 * Y1_2_m
-            S2_pp = v18 - v20
-            S2_pm = v19 - v21
-            S2_mp = v18 + v20
-            S2_mm = v19 + v21
-            v22 = w1 * X1_2_p
-            v23 = w1 * X1_2_m
-            v24 = Z1_3 * Y1_2_p
-            v25 = Z1_3 * Y1_2_m
-            C2_pp = v22 + v24
-            C2_pm = v23 + v25
-            C2_mp = v24 - v22
-            C2_mm = v25 - v23
-            v26 = S2_pp * S2_pp + C2_pp * C2_pp
-            v27 = S2_pm * S2_pm + C2_pm * C2_pm
-            v28 = S2_mp * S2_mp + C2_mp * C2_mp
-            v29 = S2_mm * S2_mm + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v26)
-            factor2_pm = 1.0 / math.sqrt(v27)
-            factor2_mp = 1.0 / math.sqrt(v28)
-            factor2_mm = 1.0 / math.sqrt(v29)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            c2_mm = C2_mm * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            c23_pp = c3_p * c2_pp - s3_p * s2_pp
-            c23_pm = c3_m * c2_pm + v14 * s2_pm
-            c23_mp = c3_p * c2_mp - s3_p * s2_mp
-            c23_mm = c3_m * c2_mm + v14 * s2_mm
-            s23_pp = c3_p * s2_pp + s3_p * c2_pp
-            s23_pm = c3_m * s2_pm - v14 * c2_pm
-            s23_mp = c3_p * s2_mp + s3_p * c2_mp
-            s23_mm = c3_m * s2_mm - v14 * c2_mm
-            v30 = c1_p * T13 + s1_p * T23
-            v31 = s1_m * T23 - v7 * T13
-            c4_pp = c23_pp * v30 + s23_pp * T33
-            c4_pm = c23_pm * v30 + s23_pm * T33
-            c4_mp = c23_mp * v31 + s23_mp * T33
-            c4_mm = c23_mm * v31 + s23_mm * T33
+            v7 = w3 - w3
+            v8 = m2 - m3 * N3
+            v9 = m1 * w3
+            s3_p = v8 + v9
+            s3_m = v8 - v9
+            v10 = m1 * N3 - m4
+            v11 = m3 * w3
+            c3_p = v10 + v11
+            c3_m = v10 - v11
+            X1_2 = m5 * N3 - m6
+            v13 = Z1_3 * X1_2
+            v14 = w3 * (m5 * w1)
+            S2_pp = v13 - v14
+            S2_pm = v13 + v14
+            v15 = w3 * (m5 * Z1_3)
+            v16 = w3 * (m5 * -Z1_3)
+            v17 = w1 * X1_2
+            v18 = w1 * -X1_2
+            C2_pp = v15 + v17
+            C2_pm = v16 + v17
+            C2_mp = v15 + v18
+            C2_mm = v16 + v18
+            factor2 = 1.0 / N3
+            c23_pp = c3_p * C2_pp - s3_p * S2_pp
+            c23_pm = c3_m * C2_pm - s3_m * S2_pm
+            c23_mp = c3_p * C2_mp - s3_p * S2_pm
+            c23_mm = c3_m * C2_mm - s3_m * S2_pp
+            s23_pp = c3_p * S2_pp + s3_p * C2_pp
+            s23_pm = c3_m * S2_pm + s3_m * C2_pm
+            s23_mp = c3_p * S2_pm + s3_p * C2_mp
+            s23_mm = c3_m * S2_pp + s3_m * C2_mm
+            v19 = c1_p * T13 + s1_p * T23
+            v20 = s1_m * T23 - v4 * T13
+            c4_pp = c23_pp * v19 + s23_pp * T33
+            c4_pm = c23_pm * v19 + s23_pm * T33
+            c4_mp = c23_mp * v20 + s23_mp * T33
+            c4_mm = c23_mm * v20 + s23_mm * T33
             Y4_p = c1_p * T23 - s1_p * T13
-            v32 = v7 * T23 + s1_m * T13
-            v33 = Y4_p * Y4_p
-            v34 = v32 * v32
-            v35 = v33 + c4_pp * c4_pp
-            v36 = v33 + c4_pm * c4_pm
-            v37 = v34 + c4_mp * c4_mp
-            v38 = v34 + c4_mm * c4_mm
-            v39 = math.copysign(half_turn, Y4_p) * h1
-            v40 = math.copysign(half_turn, -v32) * h1
-            v41 = s1_p * T12 - c1_p * T22
-            v42 = s1_m * T12 + v7 * T22
-            v43 = c1_p * T12 + s1_p * T22
-            v44 = s1_m * T22 - v7 * T12
-            v45 = s1_p * T11 - c1_p * T21
-            v46 = s1_m * T11 + v7 * T21
-            v47 = c1_p * T11 + s1_p * T21
-            v48 = s1_m * T21 - v7 * T11
-            v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46
-            v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46
-            doubt = (
-                v29 <= m1 or v38 <= m2 or (v28 <= m1 or v37 <= m2 or (v27 <= m1 or v36 <= m2 or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v26 <= m1
-                or v35 <= m2))))
+            v21 = v4 * T23 + s1_m * T13
+            v22 = Y4_p * Y4_p
+            v23 = v21 * v21
+            v24 = factor2 * c4_pp
+            v25 = factor2 * c4_pm
+            v26 = factor2 * c4_mp
+            v27 = factor2 * c4_mm
+            v28 = v22 + factor2 * (c4_pp * v24)
+            v29 = v22 + factor2 * (c4_pm * v25)
+            v30 = v23 + factor2 * (c4_mp * v26)
+            v31 = v23 + factor2 * (c4_mm * v27)
+            v32 = math.copysign(half_turn, Y4_p) * h1
+            v33 = math.copysign(half_turn, -v21) * h1
+            v34 = s1_p * T12 - c1_p * T22
+            v35 = s1_m * T12 + v4 * T22
+            v36 = c1_p * T12 + s1_p * T22
+            v37 = s1_m * T22 - v4 * T12
+            v38 = s1_p * T11 - c1_p * T21
+            v39 = s1_m * T11 + v4 * T21
+            v40 = c1_p * T11 + s1_p * T21
+            v41 = s1_m * T21 - v4 * T11
+            v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
+            v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
+            doubt1 = (
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
+                free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
             )
             work[544 + k] = v1
-            work[576 + k] = v11
+            work[576 + k] = v7
             work[608 + k] = c23_pp
             work[640 + k] = c23_pm
             work[672 + k] = s23_pp
@@ -1016,57 +973,57 @@ def _in_tiles(T, q, status):
             work[736 + k] = c4_pp
             work[768 + k] = c4_pm
             work[800 + k] = Y4_p
-            work[832 + k] = v39
-            work[864 + k] = v40
-            work[896 + k] = v45
-            work[928 + k] = v47
-            work[960 + k] = v49
-            work[992 + k] = v50
-            work[1024 + k] = doubt
-            work[1056 + k] = v9
-            work[1088 + k] = v10
+            work[832 + k] = v32
+            work[864 + k] = v33
+            work[896 + k] = v38
+            work[928 + k] = v40
+            work[960 + k] = v42
+            work[992 + k] = v43
+            work[1024 + k] = doubt1
+            work[1056 + k] = s1_p
+            work[1088 + k] = s1_m
             work[1120 + k] = w3
             work[1152 + k] = S2_pp
             work[1184 + k] = S2_pm
-            work[1216 + k] = S2_mp
-            work[1248 + k] = S2_mm
+            work[1216 + k] = S2_pm
+            work[1248 + k] = S2_pp
             work[1280 + k] = Y4_p
             work[1312 + k] = Y4_p
-            work[1344 + k] = -v32
-            work[1376 + k] = -v32
-            work[1408 + k] = -math.sqrt(v35)
-            work[1440 + k] = -math.sqrt(v36)
-            work[1472 + k] = -math.sqrt(v37)
-            work[1504 + k] = -math.sqrt(v38)
-            work[1536 + k] = -(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp * T31))
-            work[1568 + k] = -(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm * T31))
-            work[1600 + k] = v49
-            work[1632 + k] = v50
-            work[1664 + k] = v5
-            work[1696 + k] = -v6
-            work[1728 + k] = K3
+            work[1344 + k] = -v21
+            work[1376 + k] = -v21
+            work[1408 + k] = -math.sqrt(v28)
+            work[1440 + k] = -math.sqrt(v29)
+            work[1472 + k] = -math.sqrt(v30)
+            work[1504 + k] = -math.sqrt(v31)
+            work[1536 + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
+            work[1568 + k] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
+            work[1600 + k] = v42
+            work[1632 + k] = v43
+            work[1664 + k] = c1_p
+            work[1696 + k] = -v4
+            work[1728 + k] = N3 - k6
             work[1760 + k] = C2_pp
             work[1792 + k] = C2_pm
             work[1824 + k] = C2_mp
             work[1856 + k] = C2_mm
-            work[1888 + k] = c4_pp
-            work[1920 + k] = c4_pm
-            work[1952 + k] = c4_mp
-            work[1984 + k] = c4_mm
-            work[2016 + k] = c23_pp * T33 - s23_pp * v30
-            work[2048 + k] = c23_pm * T33 - s23_pm * v30
-            work[2080 + k] = c23_mp * T33 - s23_mp * v31
-            work[2112 + k] = c23_mm * T33 - s23_mm * v31
-            work[2144 + k] = -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32))
-            work[2176 + k] = -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32))
-            work[2208 + k] = v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp * v42
-            work[2240 + k] = v32 * (c23_mm * v44 + s23_mm * T32) - c4_mm * v42
+            work[1888 + k] = v24
+            work[1920 + k] = v25
+            work[1952 + k] = v26
+            work[1984 + k] = v27
+            work[2016 + k] = factor2 * (c23_pp * T33 - s23_pp * v19)
+            work[2048 + k] = factor2 * (c23_pm * T33 - s23_pm * v19)
+            work[2080 + k] = factor2 * (c23_mp * T33 - s23_mp * v20)
+            work[2112 + k] = factor2 * (c23_mm * T33 - s23_mm * v20)
+            work[2144 + k] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
+            work[2176 + k] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
+            work[2208 + k] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
+            work[2240 + k] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
         for k in range(1056, 1664):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             T31 = work[256 + k]
             v1 = work[544 + k]
-            v11 = work[576 + k]
+            v7 = work[576 + k]
             c23_pp = work[608 + k]
             c23_pm = work[640 + k]
             s23_pp = work[672 + k]
@@ -1074,13 +1031,13 @@ def _in_tiles(T, q, status):
             c4_pp = work[736 + k]
             c4_pm = work[768 + k]
             Y4_p = work[800 + k]
-            v39 = work[832 + k]
-            v40 = work[864 + k]
-            v45 = work[896 + k]
-            v47 = work[928 + k]
-            v49 = work[960 + k]
-            v50 = work[992 + k]
-            doubt = work[1024 + k] != 0.0
+            v32 = work[832 + k]
+            v33 = work[864 + k]
+            v38 = work[896 + k]
+            v40 = work[928 + k]
+            v42 = work[960 + k]
+            v43 = work[992 + k]
+            doubt1 = work[1024 + k] != 0.0
             angle1 = work[1056 + k]
             angle1_ = work[1088 + k]
             angle1__ = work[1120 + k]
@@ -1101,43 +1058,43 @@ def _in_tiles(T, q, status):
             angle1_________________ = work[1600 + k]
             angle1__________________ = work[1632 + k]
             q3__p = angle1__ - turn1
-            v17 = turn1 + angle1__
-            q4_ppm = angle1_______ - v39
-            q4_pmm = angle1________ - v39
-            q4_mpm = angle1_________ - v40
-            q4_mmm = angle1__________ - v40
+            v12 = turn1 + angle1__
+            q4_ppm = angle1_______ - v32
+            q4_pmm = angle1________ - v32
+            q4_mpm = angle1_________ - v33
+            q4_mmm = angle1__________ - v33
             q6_ppm = (
-                angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v45 + Y4_p * (c23_pp
-                * v47 + s23_pp * T31)))
+                angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp
+                * v40 + s23_pp * T31)))
             )
             q6_pmm = (
-                angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v45 + Y4_p *
-                (c23_pm * v47 + s23_pm * T31)))
+                angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p *
+                (c23_pm * v40 + s23_pm * T31)))
             )
-            q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v49)
-            q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v50)
-            v51 = q3__p + (m4 if q3__p <= -half_turn else 0.0)
-            v52 = (m4 if -v17 <= -half_turn else 0.0) - v17
-            v53 = angle1 < low1 or high1 < angle1
-            v54 = angle1_ < low1 or high1 < angle1_
-            v55 = v51 < low3 or high3 < v51
-            v56 = v52 < low3 or high3 < v52
-            q1_ppp = angle1 + v11
-            q1_mpp = angle1_ + v11
-            q3_ppp = v1 + v51
-            q3_pmp = v1 + v52
-            v57 = v55 or (v53 or (angle1___ < low2 or high2 < angle1___))
-            v58 = v56 or (v53 or (angle1____ < low2 or high2 < angle1____))
-            v59 = v55 or (v54 or (angle1_____ < low2 or high2 < angle1_____))
-            v60 = v56 or (v54 or (angle1______ < low2 or high2 < angle1______))
-            outside_ppp = v57 or (angle1___________ < low5 or high5 < angle1___________)
-            outside_ppm = v57 or (-angle1___________ < low5 or high5 < -angle1___________)
-            outside_pmp = v58 or (angle1____________ < low5 or high5 < angle1____________)
-            outside_pmm = v58 or (-angle1____________ < low5 or high5 < -angle1____________)
-            outside_mpp = v59 or (angle1_____________ < low5 or high5 < angle1_____________)
-            outside_mpm = v59 or (-angle1_____________ < low5 or high5 < -angle1_____________)
-            outside_mmp = v60 or (angle1______________ < low5 or high5 < angle1______________)
-            outside_mmm = v60 or (-angle1______________ < low5 or high5 < -angle1______________)
+            q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v42)
+            q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v43)
+            v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
+            v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
+            v46 = angle1 < low1 or high1 < angle1
+            v47 = angle1_ < low1 or high1 < angle1_
+            v48 = v44 < low3 or high3 < v44
+            v49 = v45 < low3 or high3 < v45
+            q1_ppp = angle1 + v7
+            q1_mpp = angle1_ + v7
+            q3_ppp = v1 + v44
+            q3_pmp = v1 + v45
+            v50 = v48 or (v46 or (angle1___ < low2 or high2 < angle1___))
+            v51 = v49 or (v46 or (angle1____ < low2 or high2 < angle1____))
+            v52 = v48 or (v47 or (angle1_____ < low2 or high2 < angle1_____))
+            v53 = v49 or (v47 or (angle1______ < low2 or high2 < angle1______))
+            outside_ppp = v50 or (angle1___________ < low5 or high5 < angle1___________)
+            outside_ppm = v50 or (-angle1___________ < low5 or high5 < -angle1___________)
+            outside_pmp = v51 or (angle1____________ < low5 or high5 < angle1____________)
+            outside_pmm = v51 or (-angle1____________ < low5 or high5 < -angle1____________)
+            outside_mpp = v52 or (angle1_____________ < low5 or high5 < angle1_____________)
+            outside_mpm = v52 or (-angle1_____________ < low5 or high5 < -angle1_____________)
+            outside_mmp = v53 or (angle1______________ < low5 or high5 < angle1______________)
+            outside_mmm = v53 or (-angle1______________ < low5 or high5 < -angle1______________)
             _2272 = q1_ppp
             work[2272 + k] = _2272
             _2304 = angle1___
@@ -1226,7 +1183,7 @@ def _in_tiles(T, q, status):
             work[3520 + k] = (
                 UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

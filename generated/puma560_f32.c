@@ -8,6 +8,81 @@
 #include <math.h>
 
 static const float turn = 6.2831855f;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef PUMA560_F32_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const float odd[11] = {
+    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
+    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
+    -0.050853834f, 0.039229743f, -0.019174544f,
+};
+#endif
+
+#define LANES 1
+typedef float wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysignf
+#define abs_wide fabsf
+#define sqrt_wide sqrtf
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef PUMA560_F32_LIBM
+#define atan2_wide atan2f
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0f;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421357f;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
+    const wide known = pick_wide(left, 3.1415927f - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#define kind_of(none, outside) \
+    ((none) ? (int)PUMA560_F32_UNREACHABLE \
+        : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
 static const float d1 = 0.67183f; /* joint offset 1 [m] */
 static const float a2 = 0.4318f; /* link length 2 [m] */
 static const float d3 = 0.15005f; /* joint offset 3 [m] */
@@ -43,10 +118,15 @@ static const float low3 = -2.3561964f; /* lowest value of joint 3 */
 static const float high3 = 2.3561964f; /* highest value of joint 3 */
 static const float low5 = -1.7453313f; /* lowest value of joint 5 */
 static const float high5 = 1.7453313f; /* highest value of joint 5 */
-static const float m1 = 1.3546031e-18f; /* free_limit_squared2^2 [m^4] */
-static const float m2 = 4e-10f; /* free_limit^2 */
-static const float m4 = 6.2831855f; /* 2 * half_turn */
-static const float h1 = 1.0f; /* 2 * m3 */
+static const float m1 = 0.12579383f; /* a coefficient of s3 */
+static const float m2 = 0.9988974f; /* a coefficient of s3 */
+static const float m3 = 2.6757524f; /* a coefficient of s3 */
+static const float m4 = 0.046960667f; /* a coefficient of c3 */
+static const float m5 = 1.1579435f; /* a coefficient of X1_2 */
+static const float m6 = 0.00047717695f; /* a coefficient of X1_2 */
+static const float m7 = 4e-10f; /* free_limit^2 */
+static const float m9 = 6.2831855f; /* 2 * half_turn */
+static const float h1 = 1.0f; /* 2 * m8 */
 
 const char *const puma560_f32_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -213,79 +293,6 @@ static int read_pose(const float given[16], float T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef PUMA560_F32_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const float odd[11] = {
-    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
-    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
-    -0.050853834f, 0.039229743f, -0.019174544f,
-};
-#endif
-
-#define LANES 1
-typedef float wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysignf
-#define abs_wide fabsf
-#define sqrt_wide sqrtf
-#ifdef PUMA560_F32_LIBM
-#define atan2_wide atan2f
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0f;
-    const wide lower = ax * 0.41421357f, inner = ay * 0.41421357f;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
-    const wide known = pick_wide(left, 3.1415927f - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_F32_UNREACHABLE \
-        : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -301,181 +308,162 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0f / N1;
-    const wide v2 = d3 * T14;
-    const wide v3 = d3 * T24;
-    const wide v4 = T14 * w1;
-    const wide v5 = v4 - v3;
-    const wide v6 = v3 + v4;
-    const wide c1_p = inverse1 * v5;
-    const wide v7 = inverse1 * v6;
-    const wide v8 = T24 * w1;
-    const wide v9 = v2 + v8;
-    const wide v10 = v2 - v8;
-    const wide s1_p = inverse1 * v9;
-    const wide s1_m = inverse1 * v10;
-    const wide angle1 = atan2_wide(v9, v5);
-    const wide angle1_ = atan2_wide(v10, -v6);
+    const wide v2 = inverse1 * (d3 * T24);
+    const wide v3 = w1 * (T14 * inverse1);
+    const wide c1_p = v3 - v2;
+    const wide v4 = v2 + v3;
+    const wide v5 = inverse1 * (d3 * T14);
+    const wide v6 = w1 * (T24 * inverse1);
+    const wide s1_p = v5 + v6;
+    const wide s1_m = v5 - v6;
+    const wide angle1 = atan2_wide(s1_p, c1_p);
+    const wide angle1_ = atan2_wide(s1_m, -v4);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide K3 = N3 - k6;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v11 = w3 - w3;
-    const wide v12 = k4 * K3;
-    const wide v13 = k5 * w3;
-    const wide s3_p = k7 * (v13 - v12);
-    const wide v14 = k7 * (v12 + v13);
-    const wide v15 = k5 * K3;
-    const wide v16 = k4 * w3;
-    const wide c3_p = k7 * (v15 + v16);
-    const wide c3_m = k7 * (v15 - v16);
-    const wide angle1__ = atan2_wide(w3, K3);
+    const wide v7 = w3 - w3;
+    const wide v8 = m2 - m3 * N3;
+    const wide v9 = m1 * w3;
+    const wide s3_p = v8 + v9;
+    const wide s3_m = v8 - v9;
+    const wide v10 = m1 * N3 - m4;
+    const wide v11 = m3 * w3;
+    const wide c3_p = v10 + v11;
+    const wide c3_m = v10 - v11;
+    const wide angle1__ = atan2_wide(w3, N3 - k6);
     const wide q3__p = angle1__ - turn1;
-    const wide v17 = turn1 + angle1__;
+    const wide v12 = turn1 + angle1__;
 
     /* theta2 */
-    const wide X1_2_p = a2 + (a3 * c3_p - d4 * s3_p);
-    const wide X1_2_m = a2 + (a3 * c3_m + d4 * v14);
-    const wide Y1_2_p = d4 * c3_p + a3 * s3_p;
-    const wide Y1_2_m = d4 * c3_m - a3 * v14;
-    const wide v18 = Z1_3 * X1_2_p;
-    const wide v19 = Z1_3 * X1_2_m;
-    const wide v20 = w1 * Y1_2_p;
-    const wide v21 = w1 * Y1_2_m;
-    const wide S2_pp = v18 - v20;
-    const wide S2_pm = v19 - v21;
-    const wide S2_mp = v18 + v20;
-    const wide S2_mm = v19 + v21;
-    const wide v22 = w1 * X1_2_p;
-    const wide v23 = w1 * X1_2_m;
-    const wide v24 = Z1_3 * Y1_2_p;
-    const wide v25 = Z1_3 * Y1_2_m;
-    const wide C2_pp = v22 + v24;
-    const wide C2_pm = v23 + v25;
-    const wide C2_mp = v24 - v22;
-    const wide C2_mm = v25 - v23;
-    const wide v26 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v27 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v28 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v29 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0f / sqrt_wide(v26);
-    const wide factor2_pm = 1.0f / sqrt_wide(v27);
-    const wide factor2_mp = 1.0f / sqrt_wide(v28);
-    const wide factor2_mm = 1.0f / sqrt_wide(v29);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide X1_2 = m5 * N3 - m6;
+    const wide v13 = Z1_3 * X1_2;
+    const wide v14 = w3 * (m5 * w1);
+    const wide S2_pp = v13 - v14;
+    const wide S2_pm = v13 + v14;
+    const wide v15 = w3 * (m5 * Z1_3);
+    const wide v16 = w3 * (m5 * -Z1_3);
+    const wide v17 = w1 * X1_2;
+    const wide v18 = w1 * -X1_2;
+    const wide C2_pp = v15 + v17;
+    const wide C2_pm = v16 + v17;
+    const wide C2_mp = v15 + v18;
+    const wide C2_mm = v16 + v18;
+    const wide factor2 = 1.0f / N3;
     const wide angle1___ = atan2_wide(S2_pp, C2_pp);
     const wide angle1____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1_____ = atan2_wide(S2_mp, C2_mp);
-    const wide angle1______ = atan2_wide(S2_mm, C2_mm);
+    const wide angle1_____ = atan2_wide(S2_pm, C2_mp);
+    const wide angle1______ = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_p * c2_pp - s3_p * s2_pp;
-    const wide c23_pm = c3_m * c2_pm + v14 * s2_pm;
-    const wide c23_mp = c3_p * c2_mp - s3_p * s2_mp;
-    const wide c23_mm = c3_m * c2_mm + v14 * s2_mm;
-    const wide s23_pp = c3_p * s2_pp + s3_p * c2_pp;
-    const wide s23_pm = c3_m * s2_pm - v14 * c2_pm;
-    const wide s23_mp = c3_p * s2_mp + s3_p * c2_mp;
-    const wide s23_mm = c3_m * s2_mm - v14 * c2_mm;
-    const wide v30 = c1_p * T13 + s1_p * T23;
-    const wide v31 = s1_m * T23 - v7 * T13;
-    const wide c4_pp = c23_pp * v30 + s23_pp * T33;
-    const wide c4_pm = c23_pm * v30 + s23_pm * T33;
-    const wide c4_mp = c23_mp * v31 + s23_mp * T33;
-    const wide c4_mm = c23_mm * v31 + s23_mm * T33;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
+    const wide c23_pm = c3_m * C2_pm - s3_m * S2_pm;
+    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm;
+    const wide c23_mm = c3_m * C2_mm - s3_m * S2_pp;
+    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp;
+    const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
+    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
+    const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
+    const wide v19 = c1_p * T13 + s1_p * T23;
+    const wide v20 = s1_m * T23 - v4 * T13;
+    const wide c4_pp = c23_pp * v19 + s23_pp * T33;
+    const wide c4_pm = c23_pm * v19 + s23_pm * T33;
+    const wide c4_mp = c23_mp * v20 + s23_mp * T33;
+    const wide c4_mm = c23_mm * v20 + s23_mm * T33;
     const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v32 = v7 * T23 + s1_m * T13;
-    const wide v33 = Y4_p * Y4_p;
-    const wide v34 = v32 * v32;
-    const wide v35 = v33 + c4_pp * c4_pp;
-    const wide v36 = v33 + c4_pm * c4_pm;
-    const wide v37 = v34 + c4_mp * c4_mp;
-    const wide v38 = v34 + c4_mm * c4_mm;
-    const wide angle1_______ = atan2_wide(Y4_p, c4_pp);
-    const wide angle1________ = atan2_wide(Y4_p, c4_pm);
-    const wide angle1_________ = atan2_wide(-v32, c4_mp);
-    const wide angle1__________ = atan2_wide(-v32, c4_mm);
-    const wide v39 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v40 = copysign_wide(all_wide(half_turn), -v32) * h1;
-    const wide q4_ppm = angle1_______ - v39;
-    const wide q4_pmm = angle1________ - v39;
-    const wide q4_mpm = angle1_________ - v40;
-    const wide q4_mmm = angle1__________ - v40;
+    const wide v21 = v4 * T23 + s1_m * T13;
+    const wide v22 = Y4_p * Y4_p;
+    const wide v23 = v21 * v21;
+    const wide v24 = factor2 * c4_pp;
+    const wide v25 = factor2 * c4_pm;
+    const wide v26 = factor2 * c4_mp;
+    const wide v27 = factor2 * c4_mm;
+    const wide v28 = v22 + factor2 * (c4_pp * v24);
+    const wide v29 = v22 + factor2 * (c4_pm * v25);
+    const wide v30 = v23 + factor2 * (c4_mp * v26);
+    const wide v31 = v23 + factor2 * (c4_mm * v27);
+    const wide angle1_______ = atan2_wide(Y4_p, v24);
+    const wide angle1________ = atan2_wide(Y4_p, v25);
+    const wide angle1_________ = atan2_wide(-v21, v26);
+    const wide angle1__________ = atan2_wide(-v21, v27);
+    const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
+    const wide q4_ppm = angle1_______ - v32;
+    const wide q4_pmm = angle1________ - v32;
+    const wide q4_mpm = angle1_________ - v33;
+    const wide q4_mmm = angle1__________ - v33;
 
     /* theta5 */
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v35), c23_pp * T33 - s23_pp * v30);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v36), c23_pm * T33 - s23_pm * v30);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v37), c23_mp * T33 - s23_mp * v31);
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v38), c23_mm * T33 - s23_mm * v31);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp *
+        v19));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm *
+        v19));
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp *
+        v20));
+    const wide angle1______________ = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm *
+        v20));
 
     /* theta6 */
-    const wide v41 = s1_p * T12 - c1_p * T22;
-    const wide v42 = s1_m * T12 + v7 * T22;
-    const wide v43 = c1_p * T12 + s1_p * T22;
-    const wide v44 = s1_m * T22 - v7 * T12;
-    const wide v45 = s1_p * T11 - c1_p * T21;
-    const wide v46 = s1_m * T11 + v7 * T21;
-    const wide v47 = c1_p * T11 + s1_p * T21;
-    const wide v48 = s1_m * T21 - v7 * T11;
-    const wide angle1_______________ = atan2_wide(-(c4_pp * v45 + Y4_p * (c23_pp * v47 + s23_pp *
-        T31)), -(c4_pp * v41 + Y4_p * (c23_pp * v43 + s23_pp * T32)));
-    const wide angle1________________ = atan2_wide(-(c4_pm * v45 + Y4_p * (c23_pm * v47 + s23_pm *
-        T31)), -(c4_pm * v41 + Y4_p * (c23_pm * v43 + s23_pm * T32)));
-    const wide v49 = v32 * (c23_mp * v48 + s23_mp * T31) - c4_mp * v46;
-    const wide angle1_________________ = atan2_wide(v49, v32 * (c23_mp * v44 + s23_mp * T32) - c4_mp
-        * v42);
-    const wide v50 = v32 * (c23_mm * v48 + s23_mm * T31) - c4_mm * v46;
-    const wide angle1__________________ = atan2_wide(v50, v32 * (c23_mm * v44 + s23_mm * T32) -
-        c4_mm * v42);
+    const wide v34 = s1_p * T12 - c1_p * T22;
+    const wide v35 = s1_m * T12 + v4 * T22;
+    const wide v36 = c1_p * T12 + s1_p * T22;
+    const wide v37 = s1_m * T22 - v4 * T12;
+    const wide v38 = s1_p * T11 - c1_p * T21;
+    const wide v39 = s1_m * T11 + v4 * T21;
+    const wide v40 = c1_p * T11 + s1_p * T21;
+    const wide v41 = s1_m * T21 - v4 * T11;
+    const wide angle1_______________ = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
+        T31)), -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
+    const wide angle1________________ = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
+        T31)), -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
+    const wide v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39;
+    const wide angle1_________________ = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp
+        * v35);
+    const wide v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39;
+    const wide angle1__________________ = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) -
+        c4_mm * v35);
     const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pp *
-        v45 + Y4_p * (c23_pp * v47 + s23_pp * T31)));
+        v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
     const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pm *
-        v45 + Y4_p * (c23_pm * v47 + s23_pm * T31)));
-    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v49);
-    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v50);
+        v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
+    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v43);
 
     /* joint values */
-    const wide v51 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m4), all_wide(0.0f));
-    const wide v52 = pick_wide(-v17 <= -half_turn, all_wide(m4), all_wide(0.0f)) - v17;
-    const wide_mask v53 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v54 = (angle1_ < low1) | (high1 < angle1_);
-    const wide_mask v55 = (v51 < low3) | (high3 < v51);
-    const wide_mask v56 = (v52 < low3) | (high3 < v52);
-    const wide q1_ppp = angle1 + v11;
-    const wide q1_mpp = angle1_ + v11;
-    const wide q3_ppp = v1 + v51;
-    const wide q3_pmp = v1 + v52;
-    const wide_mask v57 = v55 | (v53 | ((angle1___ < low2) | (high2 < angle1___)));
-    const wide_mask v58 = v56 | (v53 | ((angle1____ < low2) | (high2 < angle1____)));
-    const wide_mask v59 = v55 | (v54 | ((angle1_____ < low2) | (high2 < angle1_____)));
-    const wide_mask v60 = v56 | (v54 | ((angle1______ < low2) | (high2 < angle1______)));
-    const wide_mask outside_ppp = v57 | ((angle1___________ < low5) | (high5 < angle1___________));
-    const wide_mask outside_ppm = v57 | ((-angle1___________ < low5) | (high5 <
+    const wide v44 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m9), all_wide(0.0f));
+    const wide v45 = pick_wide(-v12 <= -half_turn, all_wide(m9), all_wide(0.0f)) - v12;
+    const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v47 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v48 = (v44 < low3) | (high3 < v44);
+    const wide_mask v49 = (v45 < low3) | (high3 < v45);
+    const wide q1_ppp = angle1 + v7;
+    const wide q1_mpp = angle1_ + v7;
+    const wide q3_ppp = v1 + v44;
+    const wide q3_pmp = v1 + v45;
+    const wide_mask v50 = v48 | (v46 | ((angle1___ < low2) | (high2 < angle1___)));
+    const wide_mask v51 = v49 | (v46 | ((angle1____ < low2) | (high2 < angle1____)));
+    const wide_mask v52 = v48 | (v47 | ((angle1_____ < low2) | (high2 < angle1_____)));
+    const wide_mask v53 = v49 | (v47 | ((angle1______ < low2) | (high2 < angle1______)));
+    const wide_mask outside_ppp = v50 | ((angle1___________ < low5) | (high5 < angle1___________));
+    const wide_mask outside_ppm = v50 | ((-angle1___________ < low5) | (high5 <
         -angle1___________));
-    const wide_mask outside_pmp = v58 | ((angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmp = v51 | ((angle1____________ < low5) | (high5 <
         angle1____________));
-    const wide_mask outside_pmm = v58 | ((-angle1____________ < low5) | (high5 <
+    const wide_mask outside_pmm = v51 | ((-angle1____________ < low5) | (high5 <
         -angle1____________));
-    const wide_mask outside_mpp = v59 | ((angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpp = v52 | ((angle1_____________ < low5) | (high5 <
         angle1_____________));
-    const wide_mask outside_mpm = v59 | ((-angle1_____________ < low5) | (high5 <
+    const wide_mask outside_mpm = v52 | ((-angle1_____________ < low5) | (high5 <
         -angle1_____________));
-    const wide_mask outside_mmp = v60 | ((angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmp = v53 | ((angle1______________ < low5) | (high5 <
         angle1______________));
-    const wide_mask outside_mmm = v60 | ((-angle1______________ < low5) | (high5 <
+    const wide_mask outside_mmm = v53 | ((-angle1______________ < low5) | (high5 <
         -angle1______________));
-    const wide_mask doubt = ((v29 <= m1) | (v38 <= m2)) | (((v28 <= m1) | (v37 <= m2)) | (((v27 <=
-        m1) | (v36 <= m2)) | (((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0))))) | ((v26 <= m1) | (v35 <= m2)))));
+    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 |
+        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28
+        <= m7) | (v29 <= m7)))))));
 
     q[0] = q1_ppp;
     q[1] = angle1___;
@@ -534,7 +522,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])

@@ -69,8 +69,9 @@ k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 8.466269175855875e-48  # free_limit_squared2^2 [m^4]
-m2 = 6.283185307179586  # 2 * half_turn
+m1 = 1.1579434923575729  # a coefficient of X1_2
+m2 = 0.000477176933765627  # a coefficient of X1_2
+m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -338,62 +339,41 @@ def _regular(pose, q, status):
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = D1 + Z1_3 * Z1_3
-    K3 = N3 - k6
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v6 = w3 - w3
-    v7 = k4 * K3
-    v8 = k5 * w3
-    s3_p = k7 * (v8 - v7)
-    v9 = k7 * (v7 + v8)
-    v10 = k5 * K3
-    v11 = k4 * w3
-    c3_p = k7 * (v10 + v11)
-    c3_m = k7 * (v10 - v11)
-    angle1 = _atan2(w3, K3)
+    angle1 = _atan2(w3, N3 - k6)
     q3__p = angle1 - turn1
-    v12 = turn1 + angle1
+    v7 = turn1 + angle1
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-    X1_2_m = a2 + (a3 * c3_m + d4 * v9)
-    Y1_2_p = d4 * c3_p + a3 * s3_p
-    Y1_2_m = d4 * c3_m - a3 * v9
-    v13 = Z1_3 * X1_2_p
-    v14 = Z1_3 * X1_2_m
-    v15 = w1 * Y1_2_p
-    v16 = w1 * Y1_2_m
-    S2_pp = v13 - v15
-    S2_pm = v14 - v16
-    S2_mp = v13 + v15
-    S2_mm = v14 + v16
-    v17 = w1 * X1_2_p
-    v18 = w1 * X1_2_m
-    v19 = Z1_3 * Y1_2_p
-    v20 = Z1_3 * Y1_2_m
-    C2_pp = v17 + v19
-    C2_pm = v18 + v20
-    C2_mp = v19 - v17
-    C2_mm = v20 - v18
-    angle1_ = _atan2(S2_pp, C2_pp)
-    angle1__ = _atan2(S2_pm, C2_pm)
-    angle1___ = _atan2(S2_mp, C2_mp)
-    angle1____ = _atan2(S2_mm, C2_mm)
+    X1_2 = m1 * N3 - m2
+    v8 = Z1_3 * X1_2
+    v9 = w3 * (m1 * Z1_3)
+    v10 = w3 * (m1 * -Z1_3)
+    v11 = w1 * X1_2
+    v12 = w1 * -X1_2
+    v13 = w3 * (m1 * w1)
+    v14 = v8 - v13
+    angle1_ = _atan2(v14, v9 + v11)
+    v15 = v8 + v13
+    angle1__ = _atan2(v15, v10 + v11)
+    angle1___ = _atan2(v15, v9 + v12)
+    angle1____ = _atan2(v14, v10 + v12)
 
     # joint values
     angle1_____ = _atan2(v2 + v5, v4 - v3)
     q1_pp = v6 + angle1_____
     angle1______ = _atan2(v2 - v5, -(v3 + v4))
     q1_mp = v6 + angle1______
-    q3_pp = v1 + (q3__p + (m2 if q3__p <= -half_turn else 0.0))
-    q3_pm = v1 + ((m2 if -v12 <= -half_turn else 0.0) - v12)
-    doubt = (
-        S2_mm * S2_mm + C2_mm * C2_mm <= m1 or (S2_mp * S2_mp + C2_mp * C2_mp <= m1 or (S2_pm *
-        S2_pm + C2_pm * C2_pm <= m1 or (S2_pp * S2_pp + C2_pp * C2_pp <= m1 or (shortest3_reach <=
-        N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free1
-        or -k2 <= D1 and (free1 or not (k3 < D1)))))))
+    q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
+    q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= free_limit_squared2 or
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart)))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = angle1_
@@ -582,58 +562,37 @@ def _in_tiles(T, q, status):
             v5 = T24 * w1
             Z1_3 = T34 - d1
             N3 = D1 + Z1_3 * Z1_3
-            K3 = N3 - k6
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v6 = w3 - w3
-            v7 = k4 * K3
-            v8 = k5 * w3
-            s3_p = k7 * (v8 - v7)
-            v9 = k7 * (v7 + v8)
-            v10 = k5 * K3
-            v11 = k4 * w3
-            c3_p = k7 * (v10 + v11)
-            c3_m = k7 * (v10 - v11)
-            X1_2_p = a2 + (a3 * c3_p - d4 * s3_p)
-            X1_2_m = a2 + (a3 * c3_m + d4 * v9)
-            Y1_2_p = d4 * c3_p + a3 * s3_p
-            Y1_2_m = d4 * c3_m - a3 * v9
-            v13 = Z1_3 * X1_2_p
-            v14 = Z1_3 * X1_2_m
-            v15 = w1 * Y1_2_p
-            v16 = w1 * Y1_2_m
-            S2_pp = v13 - v15
-            S2_pm = v14 - v16
-            S2_mp = v13 + v15
-            S2_mm = v14 + v16
-            v17 = w1 * X1_2_p
-            v18 = w1 * X1_2_m
-            v19 = Z1_3 * Y1_2_p
-            v20 = Z1_3 * Y1_2_m
-            C2_pp = v17 + v19
-            C2_pm = v18 + v20
-            C2_mp = v19 - v17
-            C2_mm = v20 - v18
-            doubt = (
-                S2_mm * S2_mm + C2_mm * C2_mm <= m1 or (S2_mp * S2_mp + C2_mp * C2_mp <= m1 or
-                (S2_pm * S2_pm + C2_pm * C2_pm <= m1 or (S2_pp * S2_pp + C2_pp * C2_pp <= m1 or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))))))
+            X1_2 = m1 * N3 - m2
+            v8 = Z1_3 * X1_2
+            v9 = w3 * (m1 * Z1_3)
+            v10 = w3 * (m1 * -Z1_3)
+            v11 = w1 * X1_2
+            v12 = w1 * -X1_2
+            v13 = w3 * (m1 * w1)
+            v14 = v8 - v13
+            v15 = v8 + v13
+            doubt1 = (
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= free_limit_squared2 or
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart)))
             )
             work[544 + k] = v1
             work[576 + k] = v6
-            work[608 + k] = doubt
+            work[608 + k] = doubt1
             work[640 + k] = w3
-            work[672 + k] = S2_pp
-            work[704 + k] = S2_pm
-            work[736 + k] = S2_mp
-            work[768 + k] = S2_mm
+            work[672 + k] = v14
+            work[704 + k] = v15
+            work[736 + k] = v15
+            work[768 + k] = v14
             work[800 + k] = v2 + v5
             work[832 + k] = v2 - v5
-            work[864 + k] = K3
-            work[896 + k] = C2_pp
-            work[928 + k] = C2_pm
-            work[960 + k] = C2_mp
-            work[992 + k] = C2_mm
+            work[864 + k] = N3 - k6
+            work[896 + k] = v9 + v11
+            work[928 + k] = v10 + v11
+            work[960 + k] = v9 + v12
+            work[992 + k] = v10 + v12
             work[1024 + k] = v4 - v3
             work[1056 + k] = -(v3 + v4)
         for k in range(640, 864):
@@ -641,7 +600,7 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             v1 = work[544 + k]
             v6 = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             angle1__ = work[704 + k]
@@ -650,11 +609,11 @@ def _in_tiles(T, q, status):
             angle1_____ = work[800 + k]
             angle1______ = work[832 + k]
             q3__p = angle1 - turn1
-            v12 = turn1 + angle1
+            v7 = turn1 + angle1
             q1_pp = v6 + angle1_____
             q1_mp = v6 + angle1______
-            q3_pp = v1 + (q3__p + (m2 if q3__p <= -half_turn else 0.0))
-            q3_pm = v1 + ((m2 if -v12 <= -half_turn else 0.0) - v12)
+            q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
+            q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
             _1088 = q1_pp
             work[1088 + k] = _1088
             _1120 = angle1_
@@ -675,7 +634,7 @@ def _in_tiles(T, q, status):
             work[1376 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1408 + k] = UNREACHABLE if _1248 != _1248 else OK
             work[1440 + k] = UNREACHABLE if _1248 != _1248 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

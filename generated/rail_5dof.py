@@ -455,9 +455,9 @@ def _regular(pose, q, status):
     q4_m = v22 - angle1_
     q5_p = angle1__ + v22
     q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
-    doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
+    doubt1 = v5 <= m2 or (v2 <= m1 or (v11 <= m4 or v9 <= m4))
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -694,11 +694,11 @@ def _in_tiles(T, q, status):
                 v16)) <= pose_slack))))))))))) else math.sqrt(-1.0)
             )
             q1_p = wz + v22
-            doubt = v11 <= m4 or (v9 <= m4 or (v2 <= m1 or v5 <= m2))
+            doubt1 = v5 <= m2 or (v2 <= m1 or (v11 <= m4 or v9 <= m4))
             work[544 + k] = S5
             work[576 + k] = v22
             work[608 + k] = q1_p
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = -T33
             work[704 + k] = w3
             work[736 + k] = -S5
@@ -714,7 +714,7 @@ def _in_tiles(T, q, status):
             S5 = work[544 + k]
             v22 = work[576 + k]
             q1_p = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle1_ = work[704 + k]
             angle1__ = work[736 + k]
@@ -744,7 +744,7 @@ def _in_tiles(T, q, status):
             work[1152 + k] = _1152
             work[1184 + k] = UNREACHABLE if _928 != _928 else OK
             work[1216 + k] = UNREACHABLE if _928 != _928 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -8,6 +8,278 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef RPP_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DRPP_SCALAR. With -DRPP_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(RPP_SCALAR) && !defined(RPP_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef RPP_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    return 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    return all_four(0.0 * (T[3] + T[7] + T[11]));
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & RPP_UNREACHABLE) \
+        | (~(none) & (outside) & RPP_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)RPP_UNREACHABLE \
+        : (outside) ? (int)RPP_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.5; /* joint offset 1 [m] */
 static const double free_limit1 = 5e-13; /* a length that fixes no angle [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
@@ -60,198 +332,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef RPP_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DRPP_SCALAR. With -DRPP_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(RPP_SCALAR) && !defined(RPP_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef RPP_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    return 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & RPP_UNREACHABLE) \
-        | (~(none) & (outside) & RPP_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)RPP_UNREACHABLE \
-        : (outside) ? (int)RPP_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
@@ -266,7 +346,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     /* theta1, r2 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide q2_p = sqrt_wide(v1);
-    const wide_mask doubt = v1 <= m1;
+    const wide_mask doubt1 = v1 <= m1;
     const wide angle1 = atan2_wide(-T14, T24);
     const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), -T14) * h1;
 
@@ -279,62 +359,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     q[5] = q3_p;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    return 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -351,7 +379,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     /* theta1, r2 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w2 = sqrt(v1);
-    const int doubt = v1 <= m1;
+    const int doubt1 = v1 <= m1;
     const double v2 = copysign(half_turn, -T14);
 
     /* joint values */
@@ -361,50 +389,14 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four q1 = angle1 + v2 * (m2 * (e1 - 1.0));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    if (doubt)
-        return -1;
-    int count = 0;
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], all_four(q3));
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * RPP_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

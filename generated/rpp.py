@@ -230,11 +230,11 @@ def _regular(pose, q, status):
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
     v1 = T14 * T14 + T24 * T24
     q2_p = math.sqrt(v1)
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
     angle1 = _atan2(-T14, T24)
     q1_m = angle1 - math.copysign(half_turn, -T14) * h1
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = q2_p
@@ -407,10 +407,10 @@ def _in_tiles(T, q, status):
             q3_p = T34 - d1
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             work[544 + k] = q3_p
             work[576 + k] = q2_p
-            work[608 + k] = doubt
+            work[608 + k] = doubt1
             work[640 + k] = -T14
             work[672 + k] = T24
         for k in range(640, 672):
@@ -419,7 +419,7 @@ def _in_tiles(T, q, status):
             T14 = work[96 + k]
             q3_p = work[544 + k]
             q2_p = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             q1_m = angle1 - math.copysign(half_turn, -T14) * h1
             _704 = angle1
@@ -434,7 +434,7 @@ def _in_tiles(T, q, status):
             work[832 + k] = _832
             work[864 + k] = UNREACHABLE if _704 != _704 else OK
             work[896 + k] = UNREACHABLE if _800 != _800 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -281,23 +281,21 @@ def _regular(pose, q, status):
     v2 = 2.0 * abs(Z3)
     w3 = math.sqrt(D3)
     v3 = w3 - w3
-    v4 = a3 * w3
-    angle1_ = _atan2(-v4, -(a3 * Z3))
+    angle1_ = _atan2(-(a3 * w3), -(a3 * Z3))
 
     # r2, type 1: U1[3, 4]
-    v5 = a3 * (k2 * v4)
-    q2_pp = w1 + v5
-    q2_pm = w1 - v5
+    q2_pp = w1 + w3
+    q2_pm = w1 - w3
 
     # joint values
     q1_pp = angle1 + v3
     q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
-    doubt = (
+    doubt1 = (
         v1 <= m1 or -(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
         (merge_slack1 + v2) < D3)
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -484,20 +482,18 @@ def _in_tiles(T, q, status):
             v2 = 2.0 * abs(Z3)
             w3 = math.sqrt(D3)
             v3 = w3 - w3
-            v4 = a3 * w3
-            v5 = a3 * (k2 * v4)
-            q2_pp = w1 + v5
-            q2_pm = w1 - v5
-            doubt = (
+            q2_pp = w1 + w3
+            q2_pm = w1 - w3
+            doubt1 = (
                 v1 <= m1 or -(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
                 (merge_slack1 + v2) < D3)
             )
             work[544 + k] = v3
             work[576 + k] = q2_pp
             work[608 + k] = q2_pm
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = -T14
-            work[704 + k] = -v4
+            work[704 + k] = -(a3 * w3)
             work[736 + k] = T24
             work[768 + k] = -(a3 * Z3)
         for k in range(672, 736):
@@ -507,7 +503,7 @@ def _in_tiles(T, q, status):
             v3 = work[544 + k]
             q2_pp = work[576 + k]
             q2_pm = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle1_ = work[704 + k]
             q1_pp = angle1 + v3
@@ -532,7 +528,7 @@ def _in_tiles(T, q, status):
             work[1088 + k] = UNREACHABLE if _800 != _800 else OK
             work[1120 + k] = UNREACHABLE if _960 != _960 else OK
             work[1152 + k] = UNREACHABLE if _960 != _960 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

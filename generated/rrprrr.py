@@ -432,9 +432,9 @@ def _regular(pose, q, status):
     q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
 
     # joint values
-    doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
+    doubt1 = v4 <= m1 or (v8 <= m1 or v1 <= m1)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1_
@@ -697,13 +697,13 @@ def _in_tiles(T, q, status):
             v9 = X4 * factor4
             s4 = Y4 * factor4
             v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
-            doubt = v8 <= m1 or (v1 <= m1 or v4 <= m1)
+            doubt1 = v4 <= m1 or (v8 <= m1 or v1 <= m1)
             work[544 + k] = w1
             work[576 + k] = q3_ppp
             work[608 + k] = Y4
             work[640 + k] = w4
             work[672 + k] = v10
-            work[704 + k] = doubt
+            work[704 + k] = doubt1
             work[736 + k] = -T24
             work[768 + k] = -w1
             work[800 + k] = Y4
@@ -725,7 +725,7 @@ def _in_tiles(T, q, status):
             Y4 = work[608 + k]
             w4 = work[640 + k]
             v10 = work[672 + k]
-            doubt = work[704 + k] != 0.0
+            doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
             angle1_ = work[768 + k]
             angle1__ = work[800 + k]
@@ -780,7 +780,7 @@ def _in_tiles(T, q, status):
             work[1792 + k] = UNREACHABLE if _1536 != _1536 else OK
             work[1824 + k] = UNREACHABLE if _1536 != _1536 else OK
             work[1856 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

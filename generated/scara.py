@@ -70,8 +70,11 @@ high2 = 2.530727416391778  # highest value of joint 2
 low3 = -0.200000001  # lowest value of joint 3
 high3 = 1e-09  # highest value of joint 3
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 4.095999999999998e-49  # free_limit_squared2^2 [m^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 1.25  # a coefficient of S1
+m3 = 0.08750000000000001  # a coefficient of S1
+m4 = 1.666666666666667  # a coefficient of c12
+m5 = 0.1166666666666667  # a coefficient of c12
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -368,7 +371,6 @@ def _regular(pose, q, status):
 
     # theta124, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    free124 = v1 <= m1
     v2 = 1.0 / math.sqrt(v1)
     c124 = T11 * v2
     s124 = T21 * v2
@@ -378,37 +380,25 @@ def _regular(pose, q, status):
     t14 = T14 - L4 * T11
     t24 = T24 - L4 * T21
     N2 = t14 * t14 + t24 * t24
-    K2 = N2 - k1
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    s2 = k2 * w2
-    c2 = k2 * K2
-    angle1_ = _atan2(w2, K2)
+    angle1_ = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    X1_1 = L1 + L2 * c2
-    Y1_1 = L2 * s2
-    v3 = t24 * X1_1
-    v4 = t14 * Y1_1
-    S1_p = v3 - v4
-    S1_m = v3 + v4
-    v5 = t14 * X1_1
-    v6 = t24 * Y1_1
-    C1_p = v5 + v6
-    C1_m = v5 - v6
-    v7 = S1_p * S1_p + C1_p * C1_p
-    v8 = S1_m * S1_m + C1_m * C1_m
-    free1_p = v7 <= m2
-    free1_m = v8 <= m2
-    factor1_p = 1.0 / math.sqrt(v7)
-    factor1_m = 1.0 / math.sqrt(v8)
-    c1_p = C1_p * factor1_p
-    c1_m = C1_m * factor1_m
-    s1_p = S1_p * factor1_p
-    s1_m = S1_m * factor1_m
+    v3 = m3 + m2 * N2
+    v4 = t24 * v3
+    S1_p = v4 - w2 * (m2 * t14)
+    S1_m = v4 - w2 * (m2 * -t14)
+    v5 = t14 * v3
+    C1_p = v5 + w2 * (m2 * t24)
+    C1_m = v5 + w2 * (m2 * -t24)
+    factor1 = 1.0 / N2
     angle1__ = _atan2(S1_p, C1_p)
     angle1___ = _atan2(S1_m, C1_m)
 
     # is the pose one that the arm can take?
+    v6 = m4 * N2 - m5
+    v7 = t14 * v6
+    v8 = t24 * v6
     v9 = math.sqrt(-1.0)
     v10 = (
         0.0 if (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
@@ -417,12 +407,12 @@ def _regular(pose, q, status):
         T12) <= pose_slack)))))))) else v9
     )
     v11 = (
-        0.0 if (abs(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p)) <= pose_slack1 and abs(t24 -
-        (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <= pose_slack1) else v9
+        0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p)) <= pose_slack1 and
+        abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <= pose_slack1) else v9
     )
     v12 = (
-        0.0 if (abs(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m)) <= pose_slack1 and abs(t24 -
-        (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <= pose_slack1) else v9
+        0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m)) <= pose_slack1 and
+        abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <= pose_slack1) else v9
     )
 
     # joint values
@@ -437,22 +427,21 @@ def _regular(pose, q, status):
     q3_p = v11 + v16
     q3_m = v12 + v16
     q4_p = (
-        v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else 0.0)))
+        v11 + (v10 + (v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else 0.0)))
+        v12 + (v10 + (v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)))
     )
     outside_p = v15 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
     outside_m = (
         v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
     )
-    doubt = (
-        free1_m or (free124 or free1_m) or (free124 or shortest2_reach <= N2 and N2 <=
-        longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-        (free124 or free1_p)))
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -646,37 +635,24 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             t34 = T34 - L4 * T31
             v1 = T21 * T21 + T11 * T11
-            free124 = v1 <= m1
             v2 = 1.0 / math.sqrt(v1)
             c124 = T11 * v2
             s124 = T21 * v2
             t14 = T14 - L4 * T11
             t24 = T24 - L4 * T21
             N2 = t14 * t14 + t24 * t24
-            K2 = N2 - k1
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            s2 = k2 * w2
-            c2 = k2 * K2
-            X1_1 = L1 + L2 * c2
-            Y1_1 = L2 * s2
-            v3 = t24 * X1_1
-            v4 = t14 * Y1_1
-            S1_p = v3 - v4
-            S1_m = v3 + v4
-            v5 = t14 * X1_1
-            v6 = t24 * Y1_1
-            C1_p = v5 + v6
-            C1_m = v5 - v6
-            v7 = S1_p * S1_p + C1_p * C1_p
-            v8 = S1_m * S1_m + C1_m * C1_m
-            free1_p = v7 <= m2
-            free1_m = v8 <= m2
-            factor1_p = 1.0 / math.sqrt(v7)
-            factor1_m = 1.0 / math.sqrt(v8)
-            c1_p = C1_p * factor1_p
-            c1_m = C1_m * factor1_m
-            s1_p = S1_p * factor1_p
-            s1_m = S1_m * factor1_m
+            v3 = m3 + m2 * N2
+            v4 = t24 * v3
+            S1_p = v4 - w2 * (m2 * t14)
+            S1_m = v4 - w2 * (m2 * -t14)
+            v5 = t14 * v3
+            C1_p = v5 + w2 * (m2 * t24)
+            C1_m = v5 + w2 * (m2 * -t24)
+            factor1 = 1.0 / N2
+            v6 = m4 * N2 - m5
+            v7 = t14 * v6
+            v8 = t24 * v6
             v9 = math.sqrt(-1.0)
             v10 = (
                 0.0 if (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
@@ -685,21 +661,22 @@ def _in_tiles(T, q, status):
                 pose_slack and abs(s124 + T12) <= pose_slack)))))))) else v9
             )
             v11 = (
-                0.0 if (abs(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p)) <= pose_slack1 and
-                abs(t24 - (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <= pose_slack1) else v9
+                0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p)) <=
+                pose_slack1 and abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <=
+                pose_slack1) else v9
             )
             v12 = (
-                0.0 if (abs(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m)) <= pose_slack1 and
-                abs(t24 - (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <= pose_slack1) else v9
+                0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m)) <=
+                pose_slack1 and abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <=
+                pose_slack1) else v9
             )
             v15 = t34 < low3 or high3 < t34
             v16 = v10 + (t34 + (w2 - w2))
             q3_p = v11 + v16
             q3_m = v12 + v16
-            doubt = (
-                free1_m or (free124 or free1_m) or (free124 or shortest2_reach <= N2 and N2 <=
-                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or (free1_p or
-                (free124 or free1_p)))
+            doubt1 = (
+                shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v10
             work[576 + k] = v11
@@ -707,13 +684,13 @@ def _in_tiles(T, q, status):
             work[640 + k] = v15
             work[672 + k] = q3_p
             work[704 + k] = q3_m
-            work[736 + k] = doubt
+            work[736 + k] = doubt1
             work[768 + k] = T21
             work[800 + k] = w2
             work[832 + k] = S1_p
             work[864 + k] = S1_m
             work[896 + k] = T11
-            work[928 + k] = K2
+            work[928 + k] = N2 - k1
             work[960 + k] = C1_p
             work[992 + k] = C1_m
         for k in range(768, 896):
@@ -725,7 +702,7 @@ def _in_tiles(T, q, status):
             v15 = work[640 + k] != 0.0
             q3_p = work[672 + k]
             q3_m = work[704 + k]
-            doubt = work[736 + k] != 0.0
+            doubt1 = work[736 + k] != 0.0
             angle1 = work[768 + k]
             angle1_ = work[800 + k]
             angle1__ = work[832 + k]
@@ -737,11 +714,11 @@ def _in_tiles(T, q, status):
             q2_p = v11 + (angle1_ + v10)
             q2_m = v12 + (v10 - angle1_)
             q4_p = (
-                v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else
+                v11 + (v10 + (v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
+                v12 + (v10 + (v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else
                 0.0)))
             )
             outside_p = (
@@ -769,7 +746,7 @@ def _in_tiles(T, q, status):
             work[1248 + k] = _1248
             work[1280 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_p else OK)
             work[1312 + k] = UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_m else OK)
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

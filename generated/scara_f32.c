@@ -8,6 +8,87 @@
 #include <math.h>
 
 static const float turn = 6.2831855f;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static float wrap(float angle)
+{
+    return angle - turn * ceilf(angle / turn - 0.5f);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef SCARA_F32_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const float odd[11] = {
+    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
+    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
+    -0.050853834f, 0.039229743f, -0.019174544f,
+};
+#endif
+
+#define LANES 1
+typedef float wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysignf
+#define abs_wide fabsf
+#define sqrt_wide sqrtf
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef SCARA_F32_LIBM
+#define atan2_wide atan2f
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0f;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421357f;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
+    const wide known = pick_wide(left, 3.1415927f - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#define kind_of(none, outside) \
+    ((none) ? (int)SCARA_F32_UNREACHABLE \
+        : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
 static const float L1 = 0.4f; /* link length 1 [m] */
 static const float L2 = 0.3f; /* link length 2 [m] */
 static const float L4 = 0.1f; /* x of the tool frame [m] */
@@ -37,8 +118,11 @@ static const float high2 = 2.5307295f; /* highest value of joint 2 */
 static const float low3 = -0.200002f; /* lowest value of joint 3 */
 static const float high3 = 2e-06f; /* highest value of joint 3 */
 static const float m1 = 1.6e-19f; /* free_limit_squared^2 */
-static const float m2 = 6.5536e-20f; /* free_limit_squared2^2 [m^4] */
-static const float m3 = 6.2831855f; /* 2 * half_turn */
+static const float m2 = 1.25f; /* a coefficient of S1 */
+static const float m3 = 0.0875f; /* a coefficient of S1 */
+static const float m4 = 1.6666666f; /* a coefficient of c12 */
+static const float m5 = 0.11666667f; /* a coefficient of c12 */
+static const float m6 = 6.2831855f; /* 2 * half_turn */
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -51,12 +135,6 @@ static const float highest[4] = { 2.268928f, 2.5307274f, 0.0f, 6.2831855f };
 static const int revolute[4] = { 1, 1, 0, 1 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const float weight[4] = { 1.0f, 1.0f, 1.5625f, 1.0f };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static float wrap(float angle)
-{
-    return angle - turn * ceilf(angle / turn - 0.5f);
-}
 
 void scara_f32_fk(const float q[4], float T[16])
 {
@@ -155,79 +233,6 @@ static int read_pose(const float given[16], float T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef SCARA_F32_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const float odd[11] = {
-    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
-    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
-    -0.050853834f, 0.039229743f, -0.019174544f,
-};
-#endif
-
-#define LANES 1
-typedef float wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysignf
-#define abs_wide fabsf
-#define sqrt_wide sqrtf
-#ifdef SCARA_F32_LIBM
-#define atan2_wide atan2f
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0f;
-    const wide lower = ax * 0.41421357f, inner = ay * 0.41421357f;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
-    const wide known = pick_wide(left, 3.1415927f - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)SCARA_F32_UNREACHABLE \
-        : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
@@ -241,7 +246,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta124 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide_mask free124 = v1 <= m1;
     const wide v2 = 1.0f / sqrt_wide(v1);
     const wide c124 = T11 * v2;
     const wide s124 = T21 * v2;
@@ -251,49 +255,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t14 = T14 - L4 * T11;
     const wide t24 = T24 - L4 * T21;
     const wide N2 = t14 * t14 + t24 * t24;
-    const wide K2 = N2 - k1;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide s2 = k2 * w2;
-    const wide c2 = k2 * K2;
-    const wide angle1_ = atan2_wide(w2, K2);
+    const wide angle1_ = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide X1_1 = L1 + L2 * c2;
-    const wide Y1_1 = L2 * s2;
-    const wide v3 = t24 * X1_1;
-    const wide v4 = t14 * Y1_1;
-    const wide S1_p = v3 - v4;
-    const wide S1_m = v3 + v4;
-    const wide v5 = t14 * X1_1;
-    const wide v6 = t24 * Y1_1;
-    const wide C1_p = v5 + v6;
-    const wide C1_m = v5 - v6;
-    const wide v7 = S1_p * S1_p + C1_p * C1_p;
-    const wide v8 = S1_m * S1_m + C1_m * C1_m;
-    const wide_mask free1_p = v7 <= m2;
-    const wide_mask free1_m = v8 <= m2;
-    const wide factor1_p = 1.0f / sqrt_wide(v7);
-    const wide factor1_m = 1.0f / sqrt_wide(v8);
-    const wide c1_p = C1_p * factor1_p;
-    const wide c1_m = C1_m * factor1_m;
-    const wide s1_p = S1_p * factor1_p;
-    const wide s1_m = S1_m * factor1_m;
+    const wide v3 = m3 + m2 * N2;
+    const wide v4 = t24 * v3;
+    const wide S1_p = v4 - w2 * (m2 * t14);
+    const wide S1_m = v4 - w2 * (m2 * -t14);
+    const wide v5 = t14 * v3;
+    const wide C1_p = v5 + w2 * (m2 * t24);
+    const wide C1_m = v5 + w2 * (m2 * -t24);
+    const wide factor1 = 1.0f / N2;
     const wide angle1__ = atan2_wide(S1_p, C1_p);
     const wide angle1___ = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
+    const wide v6 = m4 * N2 - m5;
+    const wide v7 = t14 * v6;
+    const wide v8 = t24 * v6;
     const float v9 = sqrtf(-1.0f);
     const wide v10 = pick_wide((abs_wide(T33 - 1.0f) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
         & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c124)
         <= pose_slack) & ((abs_wide(T21 - s124) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
         ((abs_wide(T11 - c124) <= pose_slack) & (abs_wide(s124 + T12) <= pose_slack)))))))),
         all_wide(0.0f), all_wide(v9));
-    const wide v11 = pick_wide((abs_wide(t14 - (L2 * (c2 * c1_p - s2 * s1_p) + L1 * c1_p)) <=
-        pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_p + s2 * c1_p) + L1 * s1_p)) <= pose_slack1),
-        all_wide(0.0f), all_wide(v9));
-    const wide v12 = pick_wide((abs_wide(t14 - (L2 * (c2 * c1_m + s2 * s1_m) + L1 * c1_m)) <=
-        pose_slack1) & (abs_wide(t24 - (L2 * (c2 * s1_m - s2 * c1_m) + L1 * s1_m)) <= pose_slack1),
-        all_wide(0.0f), all_wide(v9));
+    const wide v11 = pick_wide((abs_wide(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p))
+        <= pose_slack1) & (abs_wide(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <=
+        pose_slack1), all_wide(0.0f), all_wide(v9));
+    const wide v12 = pick_wide((abs_wide(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m))
+        <= pose_slack1) & (abs_wide(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <=
+        pose_slack1), all_wide(0.0f), all_wide(v9));
 
     /* joint values */
     const wide v13 = angle1 - (angle1_ + angle1__);
@@ -306,17 +298,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v16 = v10 + (t34 + (w2 - w2));
     const wide q3_p = v11 + v16;
     const wide q3_m = v12 + v16;
-    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m3), all_wide(0.0f)) +
-        pick_wide(v13 <= -half_turn, all_wide(m3), all_wide(0.0f))));
-    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m3), all_wide(0.0f)) +
-        pick_wide(v14 <= -half_turn, all_wide(m3), all_wide(0.0f))));
+    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v13 <= -half_turn, all_wide(m6), all_wide(0.0f))));
+    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v14 <= -half_turn, all_wide(m6), all_wide(0.0f))));
     const wide_mask outside_p = v15 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
         | (high2 < angle1_)));
     const wide_mask outside_m = v15 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
         low2) | (high2 < -angle1_)));
-    const wide_mask doubt = (free1_m | (free124 | free1_m)) | ((free124 | (((shortest2_reach <= N2)
-        & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0))) |
-        (free1_p | (free124 | free1_p)));
+    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (v1 <= m1));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -329,7 +321,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[2])

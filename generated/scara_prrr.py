@@ -63,8 +63,11 @@ k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 9.150625e-50  # free_limit_squared2^2 [m^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 1.6666666666666667  # a coefficient of S2
+m3 = 0.045833333333333316  # a coefficient of S2
+m4 = 2.0  # a coefficient of c23
+m5 = 0.05499999999999998  # a coefficient of c23
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -343,7 +346,6 @@ def _regular(pose, q, status):
 
     # theta234, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    free234 = v1 <= m1
     v2 = 1.0 / math.sqrt(v1)
     c234 = T11 * v2
     s234 = T21 * v2
@@ -351,76 +353,67 @@ def _regular(pose, q, status):
 
     # theta3, type 8: U0[1, 4] and U0[2, 4]
     N3 = T14 * T14 + T24 * T24
-    K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    s3 = k2 * w3
-    c3 = k2 * K3
-    angle1_ = _atan2(w3, K3)
+    angle1_ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
-    X1_2 = a2 + a3 * c3
-    Y1_2 = a3 * s3
-    v3 = T24 * X1_2
-    v4 = T14 * Y1_2
-    S2_p = v3 - v4
-    S2_m = v3 + v4
-    v5 = T14 * X1_2
-    v6 = T24 * Y1_2
-    C2_p = v5 + v6
-    C2_m = v5 - v6
-    v7 = S2_p * S2_p + C2_p * C2_p
-    v8 = S2_m * S2_m + C2_m * C2_m
-    free2_p = v7 <= m2
-    free2_m = v8 <= m2
-    factor2_p = 1.0 / math.sqrt(v7)
-    factor2_m = 1.0 / math.sqrt(v8)
-    c2_p = C2_p * factor2_p
-    c2_m = C2_m * factor2_m
-    s2_p = S2_p * factor2_p
-    s2_m = S2_m * factor2_m
+    v3 = m3 + m2 * N3
+    v4 = T24 * v3
+    v5 = w3 * (m2 * T14)
+    S2_p = v4 - v5
+    S2_m = v4 + v5
+    v6 = T14 * v3
+    v7 = w3 * (m2 * T24)
+    C2_p = v6 + v7
+    C2_m = v6 - v7
+    factor2 = 1.0 / N3
     angle1__ = _atan2(S2_p, C2_p)
     angle1___ = _atan2(S2_m, C2_m)
 
     # is the pose one that the arm can take?
-    v9 = math.sqrt(-1.0)
-    v10 = (
+    v8 = m4 * N3 - m5
+    v9 = T14 * v8
+    v10 = T24 * v8
+    v11 = math.sqrt(-1.0)
+    v12 = (
         0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
         and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and (abs(T21 - s234) <=
         pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <= pose_slack and abs(T12 -
-        s234) <= pose_slack)))))))) else v9
+        s234) <= pose_slack)))))))) else v11
     )
-    v11 = (
-        0.0 if (abs(T14 - (a3 * (c3 * c2_p - s3 * s2_p) + a2 * c2_p)) <= pose_slack1 and abs(T24 -
-        (a3 * (c3 * s2_p + s3 * c2_p) + a2 * s2_p)) <= pose_slack1) else v9
+    v13 = w3 * (m4 * T24)
+    v14 = w3 * (m4 * T14)
+    v15 = (
+        0.0 if (abs(T14 - factor2 * (a3 * (v9 - v13) + a2 * C2_p)) <= pose_slack1 and abs(T24 -
+        factor2 * (a3 * (v10 + v14) + a2 * S2_p)) <= pose_slack1) else v11
     )
-    v12 = (
-        0.0 if (abs(T14 - (a3 * (c3 * c2_m + s3 * s2_m) + a2 * c2_m)) <= pose_slack1 and abs(T24 -
-        (a3 * (c3 * s2_m - s3 * c2_m) + a2 * s2_m)) <= pose_slack1) else v9
+    v16 = (
+        0.0 if (abs(T14 - factor2 * (a3 * (v9 + v13) + a2 * C2_m)) <= pose_slack1 and abs(T24 -
+        factor2 * (a3 * (v10 - v14) + a2 * S2_m)) <= pose_slack1) else v11
     )
 
     # joint values
-    v13 = angle1 - (angle1_ + angle1__)
-    v14 = angle1 - (angle1___ - angle1_)
-    v15 = v10 + (w3 - w3 + T34)
-    q1_p = v11 + v15
-    q1_m = v12 + v15
-    q2_p = v11 + (angle1__ + v10)
-    q2_m = v12 + (angle1___ + v10)
-    q3_p = v11 + (angle1_ + v10)
-    q3_m = v12 + (v10 - angle1_)
+    v17 = angle1 - (angle1_ + angle1__)
+    v18 = angle1 - (angle1___ - angle1_)
+    v19 = v12 + (w3 - w3 + T34)
+    q1_p = v15 + v19
+    q1_m = v16 + v19
+    q2_p = v15 + (angle1__ + v12)
+    q2_m = v16 + (angle1___ + v12)
+    q3_p = v15 + (angle1_ + v12)
+    q3_m = v16 + (v12 - angle1_)
     q4_p = (
-        v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else 0.0)))
+        v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else 0.0)))
+        v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else 0.0)))
     )
-    doubt = (
-        free2_m or (free234 or free2_m) or (free234 or shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
-        (free234 or free2_p)))
+    doubt1 = (
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -613,97 +606,87 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T21 * T21 + T11 * T11
-            free234 = v1 <= m1
             v2 = 1.0 / math.sqrt(v1)
             c234 = T11 * v2
             s234 = T21 * v2
             N3 = T14 * T14 + T24 * T24
-            K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            s3 = k2 * w3
-            c3 = k2 * K3
-            X1_2 = a2 + a3 * c3
-            Y1_2 = a3 * s3
-            v3 = T24 * X1_2
-            v4 = T14 * Y1_2
-            S2_p = v3 - v4
-            S2_m = v3 + v4
-            v5 = T14 * X1_2
-            v6 = T24 * Y1_2
-            C2_p = v5 + v6
-            C2_m = v5 - v6
-            v7 = S2_p * S2_p + C2_p * C2_p
-            v8 = S2_m * S2_m + C2_m * C2_m
-            free2_p = v7 <= m2
-            free2_m = v8 <= m2
-            factor2_p = 1.0 / math.sqrt(v7)
-            factor2_m = 1.0 / math.sqrt(v8)
-            c2_p = C2_p * factor2_p
-            c2_m = C2_m * factor2_m
-            s2_p = S2_p * factor2_p
-            s2_m = S2_m * factor2_m
-            v9 = math.sqrt(-1.0)
-            v10 = (
+            v3 = m3 + m2 * N3
+            v4 = T24 * v3
+            v5 = w3 * (m2 * T14)
+            S2_p = v4 - v5
+            S2_m = v4 + v5
+            v6 = T14 * v3
+            v7 = w3 * (m2 * T24)
+            C2_p = v6 + v7
+            C2_m = v6 - v7
+            factor2 = 1.0 / N3
+            v8 = m4 * N3 - m5
+            v9 = T14 * v8
+            v10 = T24 * v8
+            v11 = math.sqrt(-1.0)
+            v12 = (
                 0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
                 pose_slack and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and
                 (abs(T21 - s234) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <=
-                pose_slack and abs(T12 - s234) <= pose_slack)))))))) else v9
+                pose_slack and abs(T12 - s234) <= pose_slack)))))))) else v11
             )
-            v11 = (
-                0.0 if (abs(T14 - (a3 * (c3 * c2_p - s3 * s2_p) + a2 * c2_p)) <= pose_slack1 and
-                abs(T24 - (a3 * (c3 * s2_p + s3 * c2_p) + a2 * s2_p)) <= pose_slack1) else v9
+            v13 = w3 * (m4 * T24)
+            v14 = w3 * (m4 * T14)
+            v15 = (
+                0.0 if (abs(T14 - factor2 * (a3 * (v9 - v13) + a2 * C2_p)) <= pose_slack1 and
+                abs(T24 - factor2 * (a3 * (v10 + v14) + a2 * S2_p)) <= pose_slack1) else v11
             )
-            v12 = (
-                0.0 if (abs(T14 - (a3 * (c3 * c2_m + s3 * s2_m) + a2 * c2_m)) <= pose_slack1 and
-                abs(T24 - (a3 * (c3 * s2_m - s3 * c2_m) + a2 * s2_m)) <= pose_slack1) else v9
+            v16 = (
+                0.0 if (abs(T14 - factor2 * (a3 * (v9 + v13) + a2 * C2_m)) <= pose_slack1 and
+                abs(T24 - factor2 * (a3 * (v10 - v14) + a2 * S2_m)) <= pose_slack1) else v11
             )
-            v15 = v10 + (w3 - w3 + T34)
-            q1_p = v11 + v15
-            q1_m = v12 + v15
-            doubt = (
-                free2_m or (free234 or free2_m) or (free234 or shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (free2_p or
-                (free234 or free2_p)))
+            v19 = v12 + (w3 - w3 + T34)
+            q1_p = v15 + v19
+            q1_m = v16 + v19
+            doubt1 = (
+                shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
+                < longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v10
-            work[576 + k] = v11
-            work[608 + k] = v12
+            work[544 + k] = v12
+            work[576 + k] = v15
+            work[608 + k] = v16
             work[640 + k] = q1_p
             work[672 + k] = q1_m
-            work[704 + k] = doubt
+            work[704 + k] = doubt1
             work[736 + k] = T21
             work[768 + k] = w3
             work[800 + k] = S2_p
             work[832 + k] = S2_m
             work[864 + k] = T11
-            work[896 + k] = K3
+            work[896 + k] = N3 - k1
             work[928 + k] = C2_p
             work[960 + k] = C2_m
         for k in range(736, 864):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[544 + k]
-            v11 = work[576 + k]
-            v12 = work[608 + k]
+            v12 = work[544 + k]
+            v15 = work[576 + k]
+            v16 = work[608 + k]
             q1_p = work[640 + k]
             q1_m = work[672 + k]
-            doubt = work[704 + k] != 0.0
+            doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
             angle1_ = work[768 + k]
             angle1__ = work[800 + k]
             angle1___ = work[832 + k]
-            v13 = angle1 - (angle1_ + angle1__)
-            v14 = angle1 - (angle1___ - angle1_)
-            q2_p = v11 + (angle1__ + v10)
-            q2_m = v12 + (angle1___ + v10)
-            q3_p = v11 + (angle1_ + v10)
-            q3_m = v12 + (v10 - angle1_)
+            v17 = angle1 - (angle1_ + angle1__)
+            v18 = angle1 - (angle1___ - angle1_)
+            q2_p = v15 + (angle1__ + v12)
+            q2_m = v16 + (angle1___ + v12)
+            q3_p = v15 + (angle1_ + v12)
+            q3_m = v16 + (v12 - angle1_)
             q4_p = (
-                v11 + (v10 + (v13 - (m3 if half_turn < v13 else 0.0) + (m3 if v13 <= -half_turn else
+                v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v12 + (v10 + (v14 - (m3 if half_turn < v14 else 0.0) + (m3 if v14 <= -half_turn else
+                v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
                 0.0)))
             )
             _992 = q1_p
@@ -724,7 +707,7 @@ def _in_tiles(T, q, status):
             work[1216 + k] = _1216
             work[1248 + k] = UNREACHABLE if _992 != _992 else OK
             work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -58,7 +58,8 @@ shortest2_apart = 0.010000000000002408  # the shortest, where branches merge [m^
 free_limit_squared2 = 1.4399999999999998e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
-m1 = 2.0735999999999995e-48  # free_limit_squared2^2 [m^4]
+m1 = 1.25  # a coefficient of S1
+m2 = 0.08750000000000001  # a coefficient of S1
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -266,32 +267,26 @@ def _regular(pose, q, status):
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
-    K2 = N2 - k1
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    angle1 = _atan2(w2, K2)
+    angle1 = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
-    X1_1 = a1 + a2 * (k2 * K2)
-    Y1_1 = a2 * (k2 * w2)
-    v1 = T24 * X1_1
-    v2 = T14 * Y1_1
-    S1_p = v1 - v2
-    S1_m = v1 + v2
-    v3 = T14 * X1_1
-    v4 = T24 * Y1_1
-    C1_p = v3 + v4
-    C1_m = v3 - v4
-    angle1_ = _atan2(S1_p, C1_p)
-    angle1__ = _atan2(S1_m, C1_m)
+    v1 = m2 + m1 * N2
+    v2 = T24 * v1
+    v3 = T14 * v1
+    v4 = w2 * (m1 * T14)
+    v5 = w2 * (m1 * T24)
+    angle1_ = _atan2(v2 - v4, v3 + v5)
+    angle1__ = _atan2(v2 + v4, v3 - v5)
 
     # joint values
     q3_p = T34 - d1 + (w2 - w2)
-    doubt = (
-        S1_m * S1_m + C1_m * C1_m <= m1 or (shortest2_reach <= N2 and N2 <= longest2_reach and not
-        (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p <= m1)
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or N2 <= free_limit_squared2
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1_
     q[0, 1] = angle1
@@ -462,37 +457,30 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             T34 = work[352 + k]
             N2 = T14 * T14 + T24 * T24
-            K2 = N2 - k1
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-            X1_1 = a1 + a2 * (k2 * K2)
-            Y1_1 = a2 * (k2 * w2)
-            v1 = T24 * X1_1
-            v2 = T14 * Y1_1
-            S1_p = v1 - v2
-            S1_m = v1 + v2
-            v3 = T14 * X1_1
-            v4 = T24 * Y1_1
-            C1_p = v3 + v4
-            C1_m = v3 - v4
+            v1 = m2 + m1 * N2
+            v2 = T24 * v1
+            v3 = T14 * v1
+            v4 = w2 * (m1 * T14)
+            v5 = w2 * (m1 * T24)
             q3_p = T34 - d1 + (w2 - w2)
-            doubt = (
-                S1_m * S1_m + C1_m * C1_m <= m1 or (shortest2_reach <= N2 and N2 <= longest2_reach
-                and not (shortest2_apart < N2 and N2 < longest2_apart) or S1_p * S1_p + C1_p * C1_p
-                <= m1)
+            doubt1 = (
+                shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart) or N2 <= free_limit_squared2
             )
             work[544 + k] = q3_p
-            work[576 + k] = doubt
+            work[576 + k] = doubt1
             work[608 + k] = w2
-            work[640 + k] = S1_p
-            work[672 + k] = S1_m
-            work[704 + k] = K2
-            work[736 + k] = C1_p
-            work[768 + k] = C1_m
+            work[640 + k] = v2 - v4
+            work[672 + k] = v2 + v4
+            work[704 + k] = N2 - k1
+            work[736 + k] = v3 + v5
+            work[768 + k] = v3 - v5
         for k in range(608, 704):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             q3_p = work[544 + k]
-            doubt = work[576 + k] != 0.0
+            doubt1 = work[576 + k] != 0.0
             angle1 = work[608 + k]
             angle1_ = work[640 + k]
             angle1__ = work[672 + k]
@@ -508,7 +496,7 @@ def _in_tiles(T, q, status):
             work[928 + k] = _928
             work[960 + k] = UNREACHABLE if _800 != _800 else OK
             work[992 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

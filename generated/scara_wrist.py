@@ -67,10 +67,11 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.8561e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 1.25  # a coefficient of S1
+m2 = 0.08750000000000001  # a coefficient of S1
+m3 = 1e-24  # free_limit^2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -416,32 +417,24 @@ def _regular(pose, q, status):
     wx = T14 - d6 * T13
     wy = T24 - d6 * T23
     N2 = wx * wx + wy * wy
-    K2 = N2 - k1
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
     v1 = w2 - w2
-    angle1 = _atan2(w2, K2)
+    angle1 = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
-    X1_1 = a1 + a2 * (k2 * K2)
-    Y1_1 = a2 * (k2 * w2)
-    v2 = wy * X1_1
-    v3 = wx * Y1_1
-    S1_p = v2 - v3
-    S1_m = v2 + v3
-    v4 = wx * X1_1
-    v5 = wy * Y1_1
-    C1_p = v4 + v5
-    C1_m = v4 - v5
-    angle1_ = _atan2(S1_p, C1_p)
-    angle1__ = _atan2(S1_m, C1_m)
+    v2 = m2 + m1 * N2
+    v3 = wy * v2
+    v4 = wx * v2
+    angle1_ = _atan2(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy))
+    angle1__ = _atan2(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy))
 
     # theta12m4, type 2: U4[3, 3]
-    v6 = T13 * T13 + T23 * T23
-    v7 = angle1 + angle1_
-    v8 = angle1__ - angle1
+    v5 = T13 * T13 + T23 * T23
+    v6 = angle1 + angle1_
+    v7 = angle1__ - angle1
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1___ = _atan2(math.sqrt(v6), -T33)
+    angle1___ = _atan2(math.sqrt(v5), -T33)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     s6 = T13 * T21 - T23 * T11
@@ -449,27 +442,26 @@ def _regular(pose, q, status):
 
     # joint values
     angle1_____ = _atan2(-T23, -T13)
-    v9 = angle1_____ - h1 * math.copysign(half_turn, -T23)
-    v10 = v7 - angle1_____
-    v11 = v7 - v9
-    v12 = v8 - angle1_____
-    v13 = v8 - v9
-    q4_pp = v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0)
-    q4_pm = v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)
-    q4_mp = v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)
-    q4_mm = v13 - (m4 if half_turn < v13 else 0.0) + (m4 if v13 <= -half_turn else 0.0)
+    v8 = angle1_____ - h1 * math.copysign(half_turn, -T23)
+    v9 = v6 - angle1_____
+    v10 = v6 - v8
+    v11 = v7 - angle1_____
+    v12 = v7 - v8
+    q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
+    q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+    q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+    q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
     q3_pp = v1 + (T34 - d6 * T33 - d1)
     q5_pp = v1 + angle1___
     q5_pm = v1 - angle1___
     q6_pp = v1 + angle1____
     q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
-    doubt = (
-        S1_m * S1_m + C1_m * C1_m <= m1 or (S1_p * S1_p + C1_p * C1_p <= m1 or (shortest2_reach <=
-        N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart) or v6 <=
-        m2))
+    doubt1 = (
+        N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <= longest2_reach and
+        not (shortest2_apart < N2 and N2 < longest2_apart))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1_
     q[0, 1] = angle1
@@ -682,40 +674,31 @@ def _in_tiles(T, q, status):
             wx = T14 - d6 * T13
             wy = T24 - d6 * T23
             N2 = wx * wx + wy * wy
-            K2 = N2 - k1
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v1 = w2 - w2
-            X1_1 = a1 + a2 * (k2 * K2)
-            Y1_1 = a2 * (k2 * w2)
-            v2 = wy * X1_1
-            v3 = wx * Y1_1
-            S1_p = v2 - v3
-            S1_m = v2 + v3
-            v4 = wx * X1_1
-            v5 = wy * Y1_1
-            C1_p = v4 + v5
-            C1_m = v4 - v5
-            v6 = T13 * T13 + T23 * T23
+            v2 = m2 + m1 * N2
+            v3 = wy * v2
+            v4 = wx * v2
+            v5 = T13 * T13 + T23 * T23
             s6 = T13 * T21 - T23 * T11
             q3_pp = v1 + (T34 - d6 * T33 - d1)
-            doubt = (
-                S1_m * S1_m + C1_m * C1_m <= m1 or (S1_p * S1_p + C1_p * C1_p <= m1 or
-                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or v6 <= m2))
+            doubt1 = (
+                N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <=
+                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart))
             )
             work[544 + k] = v1
             work[576 + k] = s6
             work[608 + k] = q3_pp
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = w2
-            work[704 + k] = S1_p
-            work[736 + k] = S1_m
-            work[768 + k] = math.sqrt(v6)
+            work[704 + k] = v3 - w2 * (m1 * wx)
+            work[736 + k] = v3 - w2 * (m1 * -wx)
+            work[768 + k] = math.sqrt(v5)
             work[800 + k] = s6
             work[832 + k] = -T23
-            work[864 + k] = K2
-            work[896 + k] = C1_p
-            work[928 + k] = C1_m
+            work[864 + k] = N2 - k1
+            work[896 + k] = v4 + w2 * (m1 * wy)
+            work[928 + k] = v4 + w2 * (m1 * -wy)
             work[960 + k] = -T33
             work[992 + k] = T13 * T22 - T23 * T12
             work[1024 + k] = -T13
@@ -726,24 +709,24 @@ def _in_tiles(T, q, status):
             v1 = work[544 + k]
             s6 = work[576 + k]
             q3_pp = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle1_ = work[704 + k]
             angle1__ = work[736 + k]
             angle1___ = work[768 + k]
             angle1____ = work[800 + k]
             angle1_____ = work[832 + k]
-            v7 = angle1 + angle1_
-            v8 = angle1__ - angle1
-            v9 = angle1_____ - h1 * math.copysign(half_turn, -T23)
-            v10 = v7 - angle1_____
-            v11 = v7 - v9
-            v12 = v8 - angle1_____
-            v13 = v8 - v9
-            q4_pp = v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0)
-            q4_pm = v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)
-            q4_mp = v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)
-            q4_mm = v13 - (m4 if half_turn < v13 else 0.0) + (m4 if v13 <= -half_turn else 0.0)
+            v6 = angle1 + angle1_
+            v7 = angle1__ - angle1
+            v8 = angle1_____ - h1 * math.copysign(half_turn, -T23)
+            v9 = v6 - angle1_____
+            v10 = v6 - v8
+            v11 = v7 - angle1_____
+            v12 = v7 - v8
+            q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
+            q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+            q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+            q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
             q5_pp = v1 + angle1___
             q5_pm = v1 - angle1___
             q6_pp = v1 + angle1____
@@ -778,7 +761,7 @@ def _in_tiles(T, q, status):
             work[1504 + k] = UNREACHABLE if _1056 != _1056 else OK
             work[1536 + k] = UNREACHABLE if _1344 != _1344 else OK
             work[1568 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,287 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef SCORBOT_POINTING_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSCORBOT_POINTING_SCALAR. With -DSCORBOT_POINTING_LIBM the arctangents are those of <math.h>,
+ * too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(SCORBOT_POINTING_SCALAR) && !defined(SCORBOT_POINTING_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef SCORBOT_POINTING_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
+    return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16], const double free_joints[1])
+{
+    const double zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
+    return all_four(zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]));
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & SCORBOT_POINTING_UNREACHABLE) \
+        | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE \
+        : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.349; /* joint offset 1 [m] */
 static const double a1 = 0.016; /* link length 1 [m] */
 static const double a2 = 0.221; /* link length 2 [m] */
@@ -34,7 +315,7 @@ static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.06304e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 8.213869404159996e-49; /* free_limit_squared2^2 [m^4] */
+static const double m4 = 2.262443438914027; /* a coefficient of S2 */
 static const double m5 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -44,12 +325,6 @@ const char *const scorbot_pointing_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void scorbot_pointing_fk(const double q[5], double T[16])
 {
@@ -169,200 +444,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef SCORBOT_POINTING_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSCORBOT_POINTING_SCALAR. With -DSCORBOT_POINTING_LIBM the arctangents are those of <math.h>,
- * too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(SCORBOT_POINTING_SCALAR) && !defined(SCORBOT_POINTING_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef SCORBOT_POINTING_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
-{
-    const wide zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
-    return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SCORBOT_POINTING_UNREACHABLE) \
-        | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE \
-        : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
@@ -383,7 +464,6 @@ HELPER wide_mask solve_wide(
     /* theta234 */
     const wide v4 = v2 * T13 + v3 * T23;
     const wide v5 = T33 * T33 + v4 * v4;
-    const wide_mask free234 = v5 <= m3;
     const wide v6 = 1.0 / sqrt_wide(v5);
     const wide c234 = T33 * v6;
     const wide v7 = v4 * v6;
@@ -398,135 +478,99 @@ HELPER wide_mask solve_wide(
     const wide v12 = Z1_3 * Z1_3;
     const wide N3_p = v12 + v10 * v10;
     const wide N3_m = v12 + v11 * v11;
-    const wide K3_p = N3_p - k1;
-    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v13 = w3_p - w3_p;
     const wide v14 = w3_m - w3_m;
-    const wide s3_p = k2 * w3_p;
-    const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * K3_p;
-    const wide c3_m = k2 * K3_m;
-    const wide angle1__ = atan2_wide(w3_p, K3_p);
-    const wide angle1___ = atan2_wide(w3_m, K3_m);
+    const wide angle1__ = atan2_wide(w3_p, N3_p - k1);
+    const wide angle1___ = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v15 = a3 * s3_p;
-    const wide v16 = a3 * s3_m;
-    const wide Y1_2_p = a2 + a3 * c3_p;
-    const wide Y1_2_m = a2 + a3 * c3_m;
-    const wide v17 = Z1_3 * Y1_2_p;
-    const wide v18 = Z1_3 * Y1_2_m;
-    const wide v19 = v10 * v15;
-    const wide v20 = v11 * v16;
-    const wide S2_pp = v19 - v17;
-    const wide v21 = v17 + v19;
-    const wide S2_mp = v20 - v18;
-    const wide v22 = v18 + v20;
-    const wide v23 = v10 * Y1_2_p;
-    const wide v24 = v11 * Y1_2_m;
-    const wide v25 = Z1_3 * v15;
-    const wide v26 = Z1_3 * v16;
-    const wide v27 = v23 + v25;
-    const wide v28 = v23 - v25;
-    const wide v29 = v24 + v26;
-    const wide v30 = v24 - v26;
-    const wide v31 = S2_pp * S2_pp + v27 * v27;
-    const wide v32 = v21 * v21 + v28 * v28;
-    const wide v33 = S2_mp * S2_mp + v29 * v29;
-    const wide v34 = v22 * v22 + v30 * v30;
-    const wide_mask free2_pp = v31 <= m4;
-    const wide_mask free2_pm = v32 <= m4;
-    const wide_mask free2_mp = v33 <= m4;
-    const wide_mask free2_mm = v34 <= m4;
-    const wide factor2_pp = 1.0 / sqrt_wide(v31);
-    const wide factor2_pm = 1.0 / sqrt_wide(v32);
-    const wide factor2_mp = 1.0 / sqrt_wide(v33);
-    const wide factor2_mm = 1.0 / sqrt_wide(v34);
-    const wide v35 = v27 * factor2_pp;
-    const wide v36 = v28 * factor2_pm;
-    const wide v37 = v29 * factor2_mp;
-    const wide v38 = v30 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide v39 = v21 * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide v40 = v22 * factor2_mm;
-    const wide angle1____ = atan2_wide(S2_pp, -v27);
-    const wide angle1_____ = atan2_wide(-v21, -v28);
-    const wide angle1______ = atan2_wide(S2_mp, -v29);
-    const wide angle1_______ = atan2_wide(-v22, -v30);
+    const wide v15 = w3_p * (m4 * v10);
+    const wide v16 = w3_p * (m4 * -v10);
+    const wide v17 = w3_m * (m4 * v11);
+    const wide v18 = m4 * (N3_p * -Z1_3);
+    const wide v19 = m4 * (N3_m * -Z1_3);
+    const wide S2_pp = v15 + v18;
+    const wide S2_pm = v16 + v18;
+    const wide S2_mp = v17 + v19;
+    const wide S2_mm = v19 - v17;
+    const wide v20 = m4 * Z1_3;
+    const wide v21 = m4 * -Z1_3;
+    const wide v22 = m4 * (v10 * N3_p);
+    const wide v23 = m4 * (v11 * N3_m);
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
+    const wide angle1____ = atan2_wide(S2_pp, -(v22 + w3_p * v20));
+    const wide angle1_____ = atan2_wide(S2_pm, -(v22 + w3_p * v21));
+    const wide angle1______ = atan2_wide(S2_mp, -(v23 + w3_m * v20));
+    const wide angle1_______ = atan2_wide(S2_mm, -(v23 + w3_m * v21));
 
     /* is the pose one that the arm can take? */
-    const wide v41 = a1 - v9;
-    const wide v42 = a1 + v9;
-    const wide v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp);
-    const wide v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39);
-    const wide v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp);
-    const wide v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40);
-    const wide v47 = d1 + v8;
-    const double v48 = sqrt(-1.0);
-    const wide v49 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v2 * v7) <=
-        pose_slack) & (abs_wide(T23 - v3 * v7) <= pose_slack)), all_wide(0.0), all_wide(v48));
-    const wide v50 = pick_wide((abs_wide(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp -
-        v47))) <= pose_slack1) & ((abs_wide(T14 + v2 * v43) <= pose_slack1) & (abs_wide(T24 + v3 *
-        v43) <= pose_slack1)), all_wide(0.0), all_wide(v48));
-    const wide v51 = pick_wide((abs_wide(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39)))
-        <= pose_slack1) & ((abs_wide(T14 + v2 * v44) <= pose_slack1) & (abs_wide(T24 + v3 * v44) <=
-        pose_slack1)), all_wide(0.0), all_wide(v48));
-    const wide v52 = pick_wide((abs_wide(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp -
-        v47))) <= pose_slack1) & ((abs_wide(T14 - v2 * v45) <= pose_slack1) & (abs_wide(T24 - v3 *
-        v45) <= pose_slack1)), all_wide(0.0), all_wide(v48));
-    const wide v53 = pick_wide((abs_wide(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40)))
-        <= pose_slack1) & ((abs_wide(T14 - v2 * v46) <= pose_slack1) & (abs_wide(T24 - v3 * v46) <=
-        pose_slack1)), all_wide(0.0), all_wide(v48));
+    const wide v24 = -v10 + (a1 - v9);
+    const wide v25 = a1 + v9 - v11;
+    const wide v26 = d1 + v8;
+    const double v27 = sqrt(-1.0);
+    const wide v28 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v2 * v7) <=
+        pose_slack) & (abs_wide(T23 - v3 * v7) <= pose_slack)), all_wide(0.0), all_wide(v27));
+    const wide_mask v29 = (abs_wide(T14 + v2 * v24) <= pose_slack1) & (abs_wide(T24 + v3 * v24) <=
+        pose_slack1);
+    const wide_mask v30 = (abs_wide(T14 - v2 * v25) <= pose_slack1) & (abs_wide(T24 - v3 * v25) <=
+        pose_slack1);
+    const wide v31 = pick_wide(v29 & (abs_wide(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p *
+        (a3 * (v18 - v15)))) <= pose_slack1), all_wide(0.0), all_wide(v27));
+    const wide v32 = pick_wide(v29 & (abs_wide(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p *
+        (a3 * (v18 - v16)))) <= pose_slack1), all_wide(0.0), all_wide(v27));
+    const wide v33 = pick_wide(v30 & (abs_wide(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m *
+        (a3 * S2_mm))) <= pose_slack1), all_wide(0.0), all_wide(v27));
+    const wide v34 = pick_wide(v30 & (abs_wide(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m *
+        (a3 * S2_mp))) <= pose_slack1), all_wide(0.0), all_wide(v27));
 
     /* joint values */
-    const wide v54 = angle1_ - (angle1__ + angle1____) - offset4;
-    const wide v55 = angle1_ - (angle1_____ - angle1__) - offset4;
-    const wide v56 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v57 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v58 = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0)) + pick_wide(v54
+    const wide v35 = angle1_ - (angle1__ + angle1____) - offset4;
+    const wide v36 = angle1_ - (angle1_____ - angle1__) - offset4;
+    const wide v37 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v38 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v39 = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0)) + pick_wide(v35
         <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v59 = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0)) + pick_wide(v55
+    const wide v40 = v36 - pick_wide(half_turn < v36, all_wide(m5), all_wide(0.0)) + pick_wide(v36
         <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v60 = pick_wide(-v56 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v56 +
-        pick_wide(half_turn < -v56, all_wide(m5), all_wide(0.0)));
-    const wide v61 = pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v57 +
-        pick_wide(half_turn < -v57, all_wide(m5), all_wide(0.0)));
-    const wide v62 = v49 + (angle1 + v13);
-    const wide v63 = v49 + (v14 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
-    const wide q1_pp = v50 + v62;
-    const wide q1_pm = v51 + v62;
-    const wide q1_mp = v52 + v63;
-    const wide q1_mm = v53 + v63;
-    const wide q2_pp = v50 + (angle1____ + v49);
-    const wide q2_pm = v51 + (angle1_____ + v49);
-    const wide q2_mp = v52 + (angle1______ + v49);
-    const wide q2_mm = v53 + (angle1_______ + v49);
-    const wide q3_pp = v50 + (angle1__ + v49);
-    const wide q3_pm = v51 + (v49 - angle1__);
-    const wide q3_mp = v52 + (angle1___ + v49);
-    const wide q3_mm = v53 + (v49 - angle1___);
-    const wide q4_pp = v50 + (v49 + (v58 + pick_wide(v58 <= -half_turn, all_wide(m5),
+    const wide v41 = pick_wide(-v37 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v37 +
+        pick_wide(half_turn < -v37, all_wide(m5), all_wide(0.0)));
+    const wide v42 = pick_wide(-v38 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v38 +
+        pick_wide(half_turn < -v38, all_wide(m5), all_wide(0.0)));
+    const wide v43 = v28 + (angle1 + v13);
+    const wide v44 = v28 + (v14 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
+    const wide q1_pp = v31 + v43;
+    const wide q1_pm = v32 + v43;
+    const wide q1_mp = v33 + v44;
+    const wide q1_mm = v34 + v44;
+    const wide q2_pp = v31 + (angle1____ + v28);
+    const wide q2_pm = v32 + (angle1_____ + v28);
+    const wide q2_mp = v33 + (angle1______ + v28);
+    const wide q2_mm = v34 + (angle1_______ + v28);
+    const wide q3_pp = v31 + (angle1__ + v28);
+    const wide q3_pm = v32 + (v28 - angle1__);
+    const wide q3_mp = v33 + (angle1___ + v28);
+    const wide q3_mm = v34 + (v28 - angle1___);
+    const wide q4_pp = v31 + (v28 + (v39 + pick_wide(v39 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_pm = v51 + (v49 + (v59 + pick_wide(v59 <= -half_turn, all_wide(m5),
+    const wide q4_pm = v32 + (v28 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mp = v52 + (v49 + (v60 + pick_wide(v60 <= -half_turn, all_wide(m5),
+    const wide q4_mp = v33 + (v28 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide q4_mm = v53 + (v49 + (v61 + pick_wide(v61 <= -half_turn, all_wide(m5),
+    const wide q4_mm = v34 + (v28 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m5),
         all_wide(0.0))));
-    const wide v64 = v49 + (v13 + free_joints[0]);
-    const wide v65 = v49 + (v14 + free_joints[0]);
-    const wide q5_pp = v50 + v64;
-    const wide q5_pm = v51 + v64;
-    const wide q5_mp = v52 + v65;
-    const wide q5_mm = v53 + v65;
-    const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
-        ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (free234 | (v1 <= m1)))))));
+    const wide v45 = v28 + (v13 + free_joints[0]);
+    const wide v46 = v28 + (v14 + free_joints[0]);
+    const wide q5_pp = v31 + v45;
+    const wide q5_pm = v32 + v45;
+    const wide q5_mp = v33 + v46;
+    const wide q5_mm = v34 + v46;
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | (((v1 <= m1) | (v5 <= m3)) | (((shortest3_reach <= N3_p) & (N3_p <=
+        longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -553,63 +597,10 @@ HELPER wide_mask solve_wide(
     q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16], const double free_joints[1])
-{
-    const double zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
-    return zz * zz + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -633,7 +624,6 @@ HELPER int solve_regular(
     /* theta234 */
     const double v5 = v2 * T13 + v3 * T23;
     const double v6 = T33 * T33 + v5 * v5;
-    const int free234 = v6 <= m3;
     const double v7 = 1.0 / sqrt(v6);
     const double c234 = T33 * v7;
     const double v8 = v5 * v7;
@@ -646,111 +636,63 @@ HELPER int solve_regular(
     const four v12 = a1 + e1 * w1 - v11;
     const double v13 = Z1_3 * Z1_3;
     const four N3 = v13 + v12 * v12;
-    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v14 = w3 - w3;
-    const four s3 = k2 * w3;
-    const four c3 = k2 * K3;
 
     /* theta2 */
-    const four v15 = a3 * s3;
-    const four Y1_2 = a2 + a3 * c3;
-    const four v16 = Z1_3 * Y1_2;
-    const four v17 = v12 * v15;
-    const four S2 = e2 * v17 - v16;
-    const four v18 = v12 * Y1_2;
-    const four v19 = Z1_3 * v15;
-    const four v20 = v18 + e2 * v19;
-    const four v21 = S2 * S2 + v20 * v20;
-    const four_mask free2 = v21 <= m4;
-    const four factor2 = 1.0 / sqrt_four(v21);
-    const four v22 = v20 * factor2;
-    const four s2 = S2 * factor2;
+    const four v15 = w3 * (m4 * (e2 * v12));
+    const four v16 = m4 * (N3 * -Z1_3);
+    const four S2 = v15 + v16;
+    const four v17 = m4 * (e2 * Z1_3);
+    const four v18 = m4 * (v12 * N3);
+    const four factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const four v23 = a1 - v11;
-    const four v24 = v23 - a2 * v22 - a3 * (c3 * v22 + e2 * (s3 * s2));
-    const double v25 = d1 + v9;
-    const double v26 = sqrt(-1.0);
-    const double v27 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v2 * v8) <= pose_slack) &
-        (fabs(T23 - v3 * v8) <= pose_slack))) ? 0.0 : v26;
-    const four v28 = pick_four((abs_four(T34 + (a3 * (c3 * s2 - e2 * (s3 * v22)) + (a2 * s2 - v25)))
-        <= pose_slack1) & ((abs_four(T14 + e1 * (v2 * v24)) <= pose_slack1) & (abs_four(T24 + e1 *
-        (v3 * v24)) <= pose_slack1)), all_four(0.0), all_four(v26));
+    const four v19 = -v12 + (a1 - v11);
+    const double v20 = d1 + v9;
+    const double v21 = sqrt(-1.0);
+    const double v22 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v2 * v8) <= pose_slack) &
+        (fabs(T23 - v3 * v8) <= pose_slack))) ? 0.0 : v21;
+    const four_mask v23 = (abs_four(T14 + e1 * (v2 * v19)) <= pose_slack1) & (abs_four(T24 + e1 *
+        (v3 * v19)) <= pose_slack1);
+    const four v24 = pick_four(v23 & (abs_four(T34 + (factor2 * (a2 * S2) - v20 + factor2 * (a3 *
+        (v16 - v15)))) <= pose_slack1), all_four(0.0), all_four(v21));
 
     /* joint values */
-    const four v34 = v27 + (v14 + free_joints[0]);
-    const four q5 = v28 + v34;
-    const int doubt1 = free234 | (v1 <= m1);
-    const four_mask v35 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v35;
+    const four v30 = v22 + (v14 + free_joints[0]);
+    const four q5 = v24 + v30;
+    const int doubt1 = (v1 <= m1) | (v6 <= m3);
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1___ = atan2_four(S2, -v20);
+    const four angle1___ = atan2_four(S2, -(v18 + w3 * v17));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-T24), 0, 5, 2, 3), all_four(-v5), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-T14), 0, 5, 2, 3),
+        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(-T14), 0, 5, 2, 3),
         all_four(T33), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v29 = e2 * angle1__;
-    const four v30 = e1 * angle1_;
-    const four v31 = v30 - (angle1___ + v29) - offset4;
-    const four v32 = v31 - pick_four(half_turn < v31, all_four(m5), all_four(0.0)) + pick_four(v31
+    const four v25 = e2 * angle1__;
+    const four v26 = e1 * angle1_;
+    const four v27 = v26 - (angle1___ + v25) - offset4;
+    const four v28 = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27
         <= -half_turn, all_four(m5), all_four(0.0));
-    const four v33 = v27 + (v14 + (angle1 + v4 * (m2 * (e1 - 1.0))));
-    const four q1 = v28 + v33;
-    const four q2 = v28 + (angle1___ + v27);
-    const four q3 = v28 + (v27 + v29);
-    const four q4 = v28 + (v27 + (v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four v29 = v22 + (v14 + (angle1 + v4 * (m2 * (e1 - 1.0))));
+    const four q1 = v24 + v29;
+    const four q2 = v24 + (angle1___ + v22);
+    const four q3 = v24 + (v22 + v25);
+    const four q4 = v24 + (v22 + (v28 + pick_four(v28 <= -half_turn, all_four(m5), all_four(0.0))));
 
-    if (!(irregularity_double(T, free_joints) <= 1e-24))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+        (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    status[2] = (unsigned char)kind1[2];
-    status[3] = (unsigned char)kind1[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * SCORBOT_POINTING_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 4);
+    return 4 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -76,7 +76,7 @@ k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.06304e-25  # free_limit1^2 [m^2]
 m3 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 8.213869404159996e-49  # free_limit_squared2^2 [m^4]
+m4 = 2.262443438914027  # a coefficient of S2
 m5 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -564,7 +564,6 @@ def _regular(pose, q_free, q, status):
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     v4 = v2 * T13 + v3 * T23
     v5 = T33 * T33 + v4 * v4
-    free234 = v5 <= m3
     v6 = 1.0 / math.sqrt(v5)
     c234 = T33 * v6
     v7 = v4 * v6
@@ -579,137 +578,103 @@ def _regular(pose, q_free, q, status):
     v12 = Z1_3 * Z1_3
     N3_p = v12 + v10 * v10
     N3_m = v12 + v11 * v11
-    K3_p = N3_p - k1
-    K3_m = N3_m - k1
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
     v13 = w3_p - w3_p
     v14 = w3_m - w3_m
-    s3_p = k2 * w3_p
-    s3_m = k2 * w3_m
-    c3_p = k2 * K3_p
-    c3_m = k2 * K3_m
-    angle1__ = _atan2(w3_p, K3_p)
-    angle1___ = _atan2(w3_m, K3_m)
+    angle1__ = _atan2(w3_p, N3_p - k1)
+    angle1___ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v15 = a3 * s3_p
-    v16 = a3 * s3_m
-    Y1_2_p = a2 + a3 * c3_p
-    Y1_2_m = a2 + a3 * c3_m
-    v17 = Z1_3 * Y1_2_p
-    v18 = Z1_3 * Y1_2_m
-    v19 = v10 * v15
-    v20 = v11 * v16
-    S2_pp = v19 - v17
-    v21 = v17 + v19
-    S2_mp = v20 - v18
-    v22 = v18 + v20
-    v23 = v10 * Y1_2_p
-    v24 = v11 * Y1_2_m
-    v25 = Z1_3 * v15
-    v26 = Z1_3 * v16
-    v27 = v23 + v25
-    v28 = v23 - v25
-    v29 = v24 + v26
-    v30 = v24 - v26
-    v31 = S2_pp * S2_pp + v27 * v27
-    v32 = v21 * v21 + v28 * v28
-    v33 = S2_mp * S2_mp + v29 * v29
-    v34 = v22 * v22 + v30 * v30
-    free2_pp = v31 <= m4
-    free2_pm = v32 <= m4
-    free2_mp = v33 <= m4
-    free2_mm = v34 <= m4
-    factor2_pp = 1.0 / math.sqrt(v31)
-    factor2_pm = 1.0 / math.sqrt(v32)
-    factor2_mp = 1.0 / math.sqrt(v33)
-    factor2_mm = 1.0 / math.sqrt(v34)
-    v35 = v27 * factor2_pp
-    v36 = v28 * factor2_pm
-    v37 = v29 * factor2_mp
-    v38 = v30 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    v39 = v21 * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    v40 = v22 * factor2_mm
-    angle1____ = _atan2(S2_pp, -v27)
-    angle1_____ = _atan2(-v21, -v28)
-    angle1______ = _atan2(S2_mp, -v29)
-    angle1_______ = _atan2(-v22, -v30)
+    v15 = w3_p * (m4 * v10)
+    v16 = w3_p * (m4 * -v10)
+    v17 = w3_m * (m4 * v11)
+    v18 = m4 * (N3_p * -Z1_3)
+    v19 = m4 * (N3_m * -Z1_3)
+    S2_pp = v15 + v18
+    S2_pm = v16 + v18
+    S2_mp = v17 + v19
+    S2_mm = v19 - v17
+    v20 = m4 * Z1_3
+    v21 = m4 * -Z1_3
+    v22 = m4 * (v10 * N3_p)
+    v23 = m4 * (v11 * N3_m)
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
+    angle1____ = _atan2(S2_pp, -(v22 + w3_p * v20))
+    angle1_____ = _atan2(S2_pm, -(v22 + w3_p * v21))
+    angle1______ = _atan2(S2_mp, -(v23 + w3_m * v20))
+    angle1_______ = _atan2(S2_mm, -(v23 + w3_m * v21))
 
     # is the pose one that the arm can take?
-    v41 = a1 - v9
-    v42 = a1 + v9
-    v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp)
-    v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39)
-    v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp)
-    v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40)
-    v47 = d1 + v8
-    v48 = math.sqrt(-1.0)
-    v49 = (
+    v24 = -v10 + (a1 - v9)
+    v25 = a1 + v9 - v11
+    v26 = d1 + v8
+    v27 = math.sqrt(-1.0)
+    v28 = (
         0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and abs(T23 - v3
-        * v7) <= pose_slack)) else v48
+        * v7) <= pose_slack)) else v27
     )
-    v50 = (
-        0.0 if (abs(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp - v47))) <= pose_slack1
-        and (abs(T14 + v2 * v43) <= pose_slack1 and abs(T24 + v3 * v43) <= pose_slack1)) else v48
+    v29 = abs(T14 + v2 * v24) <= pose_slack1 and abs(T24 + v3 * v24) <= pose_slack1
+    v30 = abs(T14 - v2 * v25) <= pose_slack1 and abs(T24 - v3 * v25) <= pose_slack1
+    v31 = (
+        0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p * (a3 * (v18 - v15))))
+        <= pose_slack1) else v27
     )
-    v51 = (
-        0.0 if (abs(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39))) <= pose_slack1 and
-        (abs(T14 + v2 * v44) <= pose_slack1 and abs(T24 + v3 * v44) <= pose_slack1)) else v48
+    v32 = (
+        0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p * (a3 * (v18 - v16))))
+        <= pose_slack1) else v27
     )
-    v52 = (
-        0.0 if (abs(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp - v47))) <= pose_slack1
-        and (abs(T14 - v2 * v45) <= pose_slack1 and abs(T24 - v3 * v45) <= pose_slack1)) else v48
+    v33 = (
+        0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m * (a3 * S2_mm))) <=
+        pose_slack1) else v27
     )
-    v53 = (
-        0.0 if (abs(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40))) <= pose_slack1 and
-        (abs(T14 - v2 * v46) <= pose_slack1 and abs(T24 - v3 * v46) <= pose_slack1)) else v48
+    v34 = (
+        0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m * (a3 * S2_mp))) <=
+        pose_slack1) else v27
     )
 
     # joint values
-    v54 = angle1_ - (angle1__ + angle1____) - offset4
-    v55 = angle1_ - (angle1_____ - angle1__) - offset4
-    v56 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v57 = offset4 + (angle1_ + (angle1_______ - angle1___))
-    v58 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-    v59 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-    v60 = (m5 if -v56 <= -half_turn else 0.0) - (v56 + (m5 if half_turn < -v56 else 0.0))
-    v61 = (m5 if -v57 <= -half_turn else 0.0) - (v57 + (m5 if half_turn < -v57 else 0.0))
-    v62 = v49 + (angle1 + v13)
-    v63 = v49 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
-    q1_pp = v50 + v62
-    q1_pm = v51 + v62
-    q1_mp = v52 + v63
-    q1_mm = v53 + v63
-    q2_pp = v50 + (angle1____ + v49)
-    q2_pm = v51 + (angle1_____ + v49)
-    q2_mp = v52 + (angle1______ + v49)
-    q2_mm = v53 + (angle1_______ + v49)
-    q3_pp = v50 + (angle1__ + v49)
-    q3_pm = v51 + (v49 - angle1__)
-    q3_mp = v52 + (angle1___ + v49)
-    q3_mm = v53 + (v49 - angle1___)
-    q4_pp = v50 + (v49 + (v58 + (m5 if v58 <= -half_turn else 0.0)))
-    q4_pm = v51 + (v49 + (v59 + (m5 if v59 <= -half_turn else 0.0)))
-    q4_mp = v52 + (v49 + (v60 + (m5 if v60 <= -half_turn else 0.0)))
-    q4_mm = v53 + (v49 + (v61 + (m5 if v61 <= -half_turn else 0.0)))
-    v64 = v49 + (v13 + q_free[0])
-    v65 = v49 + (v14 + q_free[0])
-    q5_pp = v50 + v64
-    q5_pm = v51 + v64
-    q5_mp = v52 + v65
-    q5_mm = v53 + v65
-    doubt = (
-        free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm or
-        (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach <= N3_m and
-        N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (free234 or v1 <= m1))))))
+    v35 = angle1_ - (angle1__ + angle1____) - offset4
+    v36 = angle1_ - (angle1_____ - angle1__) - offset4
+    v37 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
+    v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
+    v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
+    v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
+    v43 = v28 + (angle1 + v13)
+    v44 = v28 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
+    q1_pp = v31 + v43
+    q1_pm = v32 + v43
+    q1_mp = v33 + v44
+    q1_mm = v34 + v44
+    q2_pp = v31 + (angle1____ + v28)
+    q2_pm = v32 + (angle1_____ + v28)
+    q2_mp = v33 + (angle1______ + v28)
+    q2_mm = v34 + (angle1_______ + v28)
+    q3_pp = v31 + (angle1__ + v28)
+    q3_pm = v32 + (v28 - angle1__)
+    q3_mp = v33 + (angle1___ + v28)
+    q3_mm = v34 + (v28 - angle1___)
+    q4_pp = v31 + (v28 + (v39 + (m5 if v39 <= -half_turn else 0.0)))
+    q4_pm = v32 + (v28 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
+    q4_mp = v33 + (v28 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
+    q4_mm = v34 + (v28 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
+    v45 = v28 + (v13 + q_free[0])
+    v46 = v28 + (v14 + q_free[0])
+    q5_pp = v31 + v45
+    q5_pm = v32 + v45
+    q5_mp = v33 + v46
+    q5_mm = v34 + v46
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or (v1 <=
+        m1 or v5 <= m3 or shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+        (shortest3_apart < N3_p and N3_p < longest3_apart))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -919,7 +884,6 @@ def _in_tiles(T, q_free, q, status):
             v3 = T24 * factor1
             v4 = v2 * T13 + v3 * T23
             v5 = T33 * T33 + v4 * v4
-            free234 = v5 <= m3
             v6 = 1.0 / math.sqrt(v5)
             c234 = T33 * v6
             v7 = v4 * v6
@@ -931,145 +895,107 @@ def _in_tiles(T, q_free, q, status):
             v12 = Z1_3 * Z1_3
             N3_p = v12 + v10 * v10
             N3_m = v12 + v11 * v11
-            K3_p = N3_p - k1
-            K3_m = N3_m - k1
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
             v13 = w3_p - w3_p
             v14 = w3_m - w3_m
-            s3_p = k2 * w3_p
-            s3_m = k2 * w3_m
-            c3_p = k2 * K3_p
-            c3_m = k2 * K3_m
-            v15 = a3 * s3_p
-            v16 = a3 * s3_m
-            Y1_2_p = a2 + a3 * c3_p
-            Y1_2_m = a2 + a3 * c3_m
-            v17 = Z1_3 * Y1_2_p
-            v18 = Z1_3 * Y1_2_m
-            v19 = v10 * v15
-            v20 = v11 * v16
-            S2_pp = v19 - v17
-            v21 = v17 + v19
-            S2_mp = v20 - v18
-            v22 = v18 + v20
-            v23 = v10 * Y1_2_p
-            v24 = v11 * Y1_2_m
-            v25 = Z1_3 * v15
-            v26 = Z1_3 * v16
-            v27 = v23 + v25
-            v28 = v23 - v25
-            v29 = v24 + v26
-            v30 = v24 - v26
-            v31 = S2_pp * S2_pp + v27 * v27
-            v32 = v21 * v21 + v28 * v28
-            v33 = S2_mp * S2_mp + v29 * v29
-            v34 = v22 * v22 + v30 * v30
-            free2_pp = v31 <= m4
-            free2_pm = v32 <= m4
-            free2_mp = v33 <= m4
-            free2_mm = v34 <= m4
-            factor2_pp = 1.0 / math.sqrt(v31)
-            factor2_pm = 1.0 / math.sqrt(v32)
-            factor2_mp = 1.0 / math.sqrt(v33)
-            factor2_mm = 1.0 / math.sqrt(v34)
-            v35 = v27 * factor2_pp
-            v36 = v28 * factor2_pm
-            v37 = v29 * factor2_mp
-            v38 = v30 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            v39 = v21 * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            v40 = v22 * factor2_mm
-            v41 = a1 - v9
-            v42 = a1 + v9
-            v43 = v41 - a2 * v35 - a3 * (c3_p * v35 + s3_p * s2_pp)
-            v44 = v41 - a2 * v36 - a3 * (c3_p * v36 + s3_p * v39)
-            v45 = v42 - a2 * v37 - a3 * (c3_m * v37 + s3_m * s2_mp)
-            v46 = v42 - a2 * v38 - a3 * (c3_m * v38 + s3_m * v40)
-            v47 = d1 + v8
-            v48 = math.sqrt(-1.0)
-            v49 = (
+            v15 = w3_p * (m4 * v10)
+            v16 = w3_p * (m4 * -v10)
+            v17 = w3_m * (m4 * v11)
+            v18 = m4 * (N3_p * -Z1_3)
+            v19 = m4 * (N3_m * -Z1_3)
+            S2_pp = v15 + v18
+            S2_pm = v16 + v18
+            S2_mp = v17 + v19
+            S2_mm = v19 - v17
+            v20 = m4 * Z1_3
+            v21 = m4 * -Z1_3
+            v22 = m4 * (v10 * N3_p)
+            v23 = m4 * (v11 * N3_m)
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v24 = -v10 + (a1 - v9)
+            v25 = a1 + v9 - v11
+            v26 = d1 + v8
+            v27 = math.sqrt(-1.0)
+            v28 = (
                 0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and
-                abs(T23 - v3 * v7) <= pose_slack)) else v48
+                abs(T23 - v3 * v7) <= pose_slack)) else v27
             )
-            v50 = (
-                0.0 if (abs(T34 + (a3 * (c3_p * s2_pp - s3_p * v35) + (a2 * s2_pp - v47))) <=
-                pose_slack1 and (abs(T14 + v2 * v43) <= pose_slack1 and abs(T24 + v3 * v43) <=
-                pose_slack1)) else v48
+            v29 = abs(T14 + v2 * v24) <= pose_slack1 and abs(T24 + v3 * v24) <= pose_slack1
+            v30 = abs(T14 - v2 * v25) <= pose_slack1 and abs(T24 - v3 * v25) <= pose_slack1
+            v31 = (
+                0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p * (a3 * (v18 -
+                v15)))) <= pose_slack1) else v27
             )
-            v51 = (
-                0.0 if (abs(T34 + (a3 * (s3_p * v36 - c3_p * v39) - (v47 + a2 * v39))) <=
-                pose_slack1 and (abs(T14 + v2 * v44) <= pose_slack1 and abs(T24 + v3 * v44) <=
-                pose_slack1)) else v48
+            v32 = (
+                0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p * (a3 * (v18 -
+                v16)))) <= pose_slack1) else v27
             )
-            v52 = (
-                0.0 if (abs(T34 + (a3 * (c3_m * s2_mp - s3_m * v37) + (a2 * s2_mp - v47))) <=
-                pose_slack1 and (abs(T14 - v2 * v45) <= pose_slack1 and abs(T24 - v3 * v45) <=
-                pose_slack1)) else v48
+            v33 = (
+                0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m * (a3 *
+                S2_mm))) <= pose_slack1) else v27
             )
-            v53 = (
-                0.0 if (abs(T34 + (a3 * (s3_m * v38 - c3_m * v40) - (v47 + a2 * v40))) <=
-                pose_slack1 and (abs(T14 - v2 * v46) <= pose_slack1 and abs(T24 - v3 * v46) <=
-                pose_slack1)) else v48
+            v34 = (
+                0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m * (a3 *
+                S2_mp))) <= pose_slack1) else v27
             )
-            v64 = v49 + (v13 + given1)
-            v65 = v49 + (v14 + given1)
-            q5_pp = v50 + v64
-            q5_pm = v51 + v64
-            q5_mp = v52 + v65
-            q5_mm = v53 + v65
-            doubt = (
-                free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm
-                or (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach
-                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart) or (free234 or v1 <= m1))))))
+            v45 = v28 + (v13 + given1)
+            v46 = v28 + (v14 + given1)
+            q5_pp = v31 + v45
+            q5_pm = v32 + v45
+            q5_mp = v33 + v46
+            q5_mm = v34 + v46
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (v1 <= m1 or v5 <= m3 or shortest3_reach <= N3_p and N3_p <=
+                longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))
             )
             work[576 + k] = v13
             work[608 + k] = v14
-            work[640 + k] = v49
-            work[672 + k] = v50
-            work[704 + k] = v51
-            work[736 + k] = v52
-            work[768 + k] = v53
+            work[640 + k] = v28
+            work[672 + k] = v31
+            work[704 + k] = v32
+            work[736 + k] = v33
+            work[768 + k] = v34
             work[800 + k] = q5_pp
             work[832 + k] = q5_pm
             work[864 + k] = q5_mp
             work[896 + k] = q5_mm
-            work[928 + k] = doubt
+            work[928 + k] = doubt1
             work[960 + k] = -T24
             work[992 + k] = -v4
             work[1024 + k] = w3_p
             work[1056 + k] = w3_m
             work[1088 + k] = S2_pp
-            work[1120 + k] = -v21
+            work[1120 + k] = S2_pm
             work[1152 + k] = S2_mp
-            work[1184 + k] = -v22
+            work[1184 + k] = S2_mm
             work[1216 + k] = -T14
             work[1248 + k] = T33
-            work[1280 + k] = K3_p
-            work[1312 + k] = K3_m
-            work[1344 + k] = -v27
-            work[1376 + k] = -v28
-            work[1408 + k] = -v29
-            work[1440 + k] = -v30
+            work[1280 + k] = N3_p - k1
+            work[1312 + k] = N3_m - k1
+            work[1344 + k] = -(v22 + w3_p * v20)
+            work[1376 + k] = -(v22 + w3_p * v21)
+            work[1408 + k] = -(v23 + w3_m * v20)
+            work[1440 + k] = -(v23 + w3_m * v21)
         for k in range(960, 1216):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
             v13 = work[576 + k]
             v14 = work[608 + k]
-            v49 = work[640 + k]
-            v50 = work[672 + k]
-            v51 = work[704 + k]
-            v52 = work[736 + k]
-            v53 = work[768 + k]
+            v28 = work[640 + k]
+            v31 = work[672 + k]
+            v32 = work[704 + k]
+            v33 = work[736 + k]
+            v34 = work[768 + k]
             q5_pp = work[800 + k]
             q5_pm = work[832 + k]
             q5_mp = work[864 + k]
             q5_mm = work[896 + k]
-            doubt = work[928 + k] != 0.0
+            doubt1 = work[928 + k] != 0.0
             angle1 = work[960 + k]
             angle1_ = work[992 + k]
             angle1__ = work[1024 + k]
@@ -1078,32 +1004,32 @@ def _in_tiles(T, q_free, q, status):
             angle1_____ = work[1120 + k]
             angle1______ = work[1152 + k]
             angle1_______ = work[1184 + k]
-            v54 = angle1_ - (angle1__ + angle1____) - offset4
-            v55 = angle1_ - (angle1_____ - angle1__) - offset4
-            v56 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v57 = offset4 + (angle1_ + (angle1_______ - angle1___))
-            v58 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-            v59 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-            v60 = (m5 if -v56 <= -half_turn else 0.0) - (v56 + (m5 if half_turn < -v56 else 0.0))
-            v61 = (m5 if -v57 <= -half_turn else 0.0) - (v57 + (m5 if half_turn < -v57 else 0.0))
-            v62 = v49 + (angle1 + v13)
-            v63 = v49 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
-            q1_pp = v50 + v62
-            q1_pm = v51 + v62
-            q1_mp = v52 + v63
-            q1_mm = v53 + v63
-            q2_pp = v50 + (angle1____ + v49)
-            q2_pm = v51 + (angle1_____ + v49)
-            q2_mp = v52 + (angle1______ + v49)
-            q2_mm = v53 + (angle1_______ + v49)
-            q3_pp = v50 + (angle1__ + v49)
-            q3_pm = v51 + (v49 - angle1__)
-            q3_mp = v52 + (angle1___ + v49)
-            q3_mm = v53 + (v49 - angle1___)
-            q4_pp = v50 + (v49 + (v58 + (m5 if v58 <= -half_turn else 0.0)))
-            q4_pm = v51 + (v49 + (v59 + (m5 if v59 <= -half_turn else 0.0)))
-            q4_mp = v52 + (v49 + (v60 + (m5 if v60 <= -half_turn else 0.0)))
-            q4_mm = v53 + (v49 + (v61 + (m5 if v61 <= -half_turn else 0.0)))
+            v35 = angle1_ - (angle1__ + angle1____) - offset4
+            v36 = angle1_ - (angle1_____ - angle1__) - offset4
+            v37 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
+            v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
+            v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
+            v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
+            v43 = v28 + (angle1 + v13)
+            v44 = v28 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
+            q1_pp = v31 + v43
+            q1_pm = v32 + v43
+            q1_mp = v33 + v44
+            q1_mm = v34 + v44
+            q2_pp = v31 + (angle1____ + v28)
+            q2_pm = v32 + (angle1_____ + v28)
+            q2_mp = v33 + (angle1______ + v28)
+            q2_mm = v34 + (angle1_______ + v28)
+            q3_pp = v31 + (angle1__ + v28)
+            q3_pm = v32 + (v28 - angle1__)
+            q3_mp = v33 + (angle1___ + v28)
+            q3_mm = v34 + (v28 - angle1___)
+            q4_pp = v31 + (v28 + (v39 + (m5 if v39 <= -half_turn else 0.0)))
+            q4_pm = v32 + (v28 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
+            q4_mp = v33 + (v28 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
+            q4_mm = v34 + (v28 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
             _1472 = q1_pp
             work[1472 + k] = _1472
             _1504 = q2_pp
@@ -1148,7 +1074,7 @@ def _in_tiles(T, q_free, q, status):
             work[2144 + k] = UNREACHABLE if _1632 != _1632 else OK
             work[2176 + k] = UNREACHABLE if _1792 != _1792 else OK
             work[2208 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[544 + k] = 1.0 if doubt else work[544 + k]
+            work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

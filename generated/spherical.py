@@ -276,9 +276,9 @@ def _regular(pose, q, status):
     q2_pm = angle1_ - h1 * math.copysign(half_turn, -math.sqrt(v1))
 
     # joint values
-    doubt = v1 <= m1 or v2 <= m1
+    doubt1 = v1 <= m1 or v2 <= m1
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1_
@@ -462,10 +462,10 @@ def _in_tiles(T, q, status):
             Y2_2 = T34 - d1
             v2 = v1 + Y2_2 * Y2_2
             q3_pp = math.sqrt(v2)
-            doubt = v1 <= m1 or v2 <= m1
+            doubt1 = v1 <= m1 or v2 <= m1
             work[544 + k] = v1
             work[576 + k] = q3_pp
-            work[608 + k] = doubt
+            work[608 + k] = doubt1
             work[640 + k] = T24
             work[672 + k] = -math.sqrt(v1)
             work[704 + k] = T14
@@ -476,7 +476,7 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             v1 = work[544 + k]
             q3_pp = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             q1_mp = angle1 - math.copysign(half_turn, T24) * h1
@@ -501,7 +501,7 @@ def _in_tiles(T, q, status):
             work[1056 + k] = UNREACHABLE if _768 != _768 else OK
             work[1088 + k] = UNREACHABLE if _928 != _928 else OK
             work[1120 + k] = UNREACHABLE if _928 != _928 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -300,9 +300,9 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
+    doubt1 = -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or v6 <= m1)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1__
@@ -495,11 +495,11 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt = v6 <= m1 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)))
+            doubt1 = -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or v6 <= m1)
             work[544 + k] = w1
             work[576 + k] = q3_pp
             work[608 + k] = q3_pm
-            work[640 + k] = doubt
+            work[640 + k] = doubt1
             work[672 + k] = -(v2 + v5)
             work[704 + k] = v5 - v2
             work[736 + k] = -w1
@@ -512,7 +512,7 @@ def _in_tiles(T, q, status):
             w1 = work[544 + k]
             q3_pp = work[576 + k]
             q3_pm = work[608 + k]
-            doubt = work[640 + k] != 0.0
+            doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle1_ = work[704 + k]
             angle1__ = work[736 + k]
@@ -537,7 +537,7 @@ def _in_tiles(T, q, status):
             work[1152 + k] = UNREACHABLE if _864 != _864 else OK
             work[1184 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -10,6 +10,303 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSPHERICAL_WRIST_ALL_OFFSETS_SCALAR. With -DSPHERICAL_WRIST_ALL_OFFSETS_LIBM the arctangents are
+ * those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(SPHERICAL_WRIST_ALL_OFFSETS_SCALAR) && !defined(SPHERICAL_WRIST_ALL_OFFSETS_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) \
+        | (~(none) & (outside) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE \
+        : (outside) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.5; /* joint offset 1 [m] */
 static const double a1 = 0.12; /* link length 1 [m] */
 static const double d2 = 0.13; /* joint offset 2 [m] */
@@ -43,10 +340,15 @@ static const double k7 = 0.3374; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k8 = 8.866112830151877; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 static const double turn1 = -1.3382393849899876; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.0038758560000011e-47; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1.1627906976744187; /* a coefficient of Y1_2 */
+static const double m2 = 0.03767441860465117; /* a coefficient of Y1_2 */
+static const double m3 = 0.29508196721311475; /* a coefficient of c23 */
+static const double m4 = 1.2459016393442623; /* a coefficient of c23 */
+static const double m5 = 0.04036721311475411; /* a coefficient of c23 */
+static const double m6 = 0.00956065573770492; /* a coefficient of c23 */
+static const double m7 = 1e-24; /* free_limit^2 */
+static const double m9 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m8 */
 
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -228,210 +530,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSPHERICAL_WRIST_ALL_OFFSETS_SCALAR. With -DSPHERICAL_WRIST_ALL_OFFSETS_LIBM the arctangents are
- * those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(SPHERICAL_WRIST_ALL_OFFSETS_SCALAR) && !defined(SPHERICAL_WRIST_ALL_OFFSETS_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) \
-        | (~(none) & (outside) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE \
-        : (outside) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -448,185 +546,154 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = k1 * wx;
-    const wide v2 = k1 * Y1;
-    const wide v3 = wx * w1;
-    const wide v4 = v2 + v3;
-    const wide v5 = v2 - v3;
-    const wide v6 = inverse1 * v4;
-    const wide v7 = inverse1 * v5;
-    const wide v8 = Y1 * w1;
-    const wide v9 = v8 - v1;
-    const wide v10 = v1 + v8;
-    const wide s1_p = inverse1 * v9;
-    const wide v11 = inverse1 * v10;
+    const wide v1 = inverse1 * (k1 * Y1);
+    const wide v2 = v1 + w1 * (wx * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -wx);
+    const wide v4 = inverse1 * (k1 * wx);
+    const wide s1_p = w1 * (Y1 * inverse1) - v4;
+    const wide s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v12 = a1 + w1;
-    const wide v13 = a1 - w1;
-    const wide v14 = Z1_3 * Z1_3;
-    const wide N3_p = v14 + v12 * v12;
-    const wide N3_m = v14 + v13 * v13;
-    const wide K3_p = N3_p - k7;
-    const wide K3_m = N3_m - k7;
+    const wide v5 = a1 + w1;
+    const wide v6 = a1 - w1;
+    const wide v7 = Z1_3 * Z1_3;
+    const wide N3_p = v7 + v5 * v5;
+    const wide N3_m = v7 + v6 * v6;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v15 = k5 * K3_p;
-    const wide v16 = k5 * K3_m;
-    const wide v17 = k6 * w3_p;
-    const wide v18 = k6 * w3_m;
-    const wide s3_pp = k8 * (v15 + v17);
-    const wide s3_pm = k8 * (v15 - v17);
-    const wide s3_mp = k8 * (v16 + v18);
-    const wide s3_mm = k8 * (v16 - v18);
-    const wide v19 = k6 * K3_p;
-    const wide v20 = k6 * K3_m;
-    const wide v21 = k5 * w3_p;
-    const wide v22 = k5 * w3_m;
-    const wide c3_pp = k8 * (v19 - v21);
-    const wide c3_pm = k8 * (v19 + v21);
-    const wide c3_mp = k8 * (v20 - v22);
-    const wide c3_mm = k8 * (v20 + v22);
-    const wide angle1 = atan2_wide(w3_p, K3_p);
-    const wide angle1_ = atan2_wide(w3_m, K3_m);
+    const wide angle1 = atan2_wide(w3_p, N3_p - k7);
+    const wide angle1_ = atan2_wide(w3_m, N3_m - k7);
     const wide q3__pp = angle1 - turn1;
-    const wide v23 = turn1 + angle1;
+    const wide v8 = turn1 + angle1;
     const wide q3__mp = angle1_ - turn1;
-    const wide v24 = turn1 + angle1_;
+    const wide v9 = turn1 + angle1_;
 
     /* theta2 */
-    const wide X1_2_pp = d4 * c3_pp - a3 * s3_pp;
-    const wide X1_2_pm = d4 * c3_pm - a3 * s3_pm;
-    const wide X1_2_mp = d4 * c3_mp - a3 * s3_mp;
-    const wide X1_2_mm = d4 * c3_mm - a3 * s3_mm;
-    const wide Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp);
-    const wide Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm);
-    const wide Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp);
-    const wide Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm);
-    const wide v25 = v12 * X1_2_pp + Z1_3 * Y1_2_pp;
-    const wide v26 = v12 * X1_2_pm + Z1_3 * Y1_2_pm;
-    const wide v27 = v13 * X1_2_mp + Z1_3 * Y1_2_mp;
-    const wide v28 = v13 * X1_2_mm + Z1_3 * Y1_2_mm;
-    const wide C2_pp = Z1_3 * X1_2_pp - v12 * Y1_2_pp;
-    const wide C2_pm = Z1_3 * X1_2_pm - v12 * Y1_2_pm;
-    const wide C2_mp = Z1_3 * X1_2_mp - v13 * Y1_2_mp;
-    const wide C2_mm = Z1_3 * X1_2_mm - v13 * Y1_2_mm;
-    const wide v29 = v25 * v25 + C2_pp * C2_pp;
-    const wide v30 = v26 * v26 + C2_pm * C2_pm;
-    const wide v31 = v27 * v27 + C2_mp * C2_mp;
-    const wide v32 = v28 * v28 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v29);
-    const wide factor2_pm = 1.0 / sqrt_wide(v30);
-    const wide factor2_mp = 1.0 / sqrt_wide(v31);
-    const wide factor2_mm = 1.0 / sqrt_wide(v32);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide c2_mm = C2_mm * factor2_mm;
-    const wide v33 = v25 * factor2_pp;
-    const wide v34 = v26 * factor2_pm;
-    const wide v35 = v27 * factor2_mp;
-    const wide v36 = v28 * factor2_mm;
-    const wide angle1__ = atan2_wide(-v25, C2_pp);
-    const wide angle1___ = atan2_wide(-v26, C2_pm);
-    const wide angle1____ = atan2_wide(-v27, C2_mp);
-    const wide angle1_____ = atan2_wide(-v28, C2_mm);
+    const wide v10 = Z1_3 * (m2 + m1 * N3_p);
+    const wide v11 = Z1_3 * (m2 + m1 * N3_m);
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
+    const wide v12 = v5 * (m1 + m2 * factor2_p);
+    const wide v13 = v6 * (m1 + m2 * factor2_m);
+    const wide v14 = w3_p * (m1 * v5);
+    const wide angle1__ = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 *
+        factor2_p))));
+    const wide angle1___ = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 *
+        factor2_p))));
+    const wide angle1____ = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 *
+        (Z1_3 * factor2_m))));
+    const wide angle1_____ = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1
+        * (-Z1_3 * factor2_m))));
 
     /* theta4 */
-    const wide c23_pp = c3_pp * c2_pp + s3_pp * v33;
-    const wide c23_pm = c3_pm * c2_pm + s3_pm * v34;
-    const wide c23_mp = c3_mp * c2_mp + s3_mp * v35;
-    const wide c23_mm = c3_mm * c2_mm + s3_mm * v36;
-    const wide s23_pp = s3_pp * c2_pp - c3_pp * v33;
-    const wide s23_pm = s3_pm * c2_pm - c3_pm * v34;
-    const wide s23_mp = s3_mp * c2_mp - c3_mp * v35;
-    const wide s23_mm = s3_mm * c2_mm - c3_mm * v36;
-    const wide v37 = T23 * s1_p - T13 * v6;
-    const wide v38 = T23 * v11 + T13 * v7;
-    const wide X4_pp = c23_pp * v37 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v37 - T33 * s23_pm;
-    const wide v39 = c23_mp * v38 + T33 * s23_mp;
-    const wide v40 = c23_mm * v38 + T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v6;
-    const wide Y4_m = T23 * v7 - T13 * v11;
-    const wide v41 = Y4_p * Y4_p;
-    const wide v42 = Y4_m * Y4_m;
-    const wide v43 = v41 + X4_pp * X4_pp;
-    const wide v44 = v41 + X4_pm * X4_pm;
-    const wide v45 = v42 + v39 * v39;
-    const wide v46 = v42 + v40 * v40;
-    const wide w4_pp = sqrt_wide(v43);
-    const wide w4_pm = sqrt_wide(v44);
-    const wide w4_mp = sqrt_wide(v45);
-    const wide w4_mm = sqrt_wide(v46);
+    const wide v15 = m3 * Z1_3;
+    const wide v16 = m4 - m5 * factor2_p;
+    const wide v17 = m4 - m5 * factor2_m;
+    const wide v18 = m6 * factor2_p - m3;
+    const wide v19 = m6 * factor2_m - m3;
+    const wide v20 = Z1_3 * v16 + v5 * v18;
+    const wide v21 = Z1_3 * v17 + v6 * v19;
+    const wide v22 = w3_p * (factor2_p * (v15 + m4 * v5));
+    const wide c23_pp = v20 + v22;
+    const wide c23_pm = v20 - v22;
+    const wide v23 = w3_m * (factor2_m * (v15 + m4 * v6));
+    const wide c23_mp = v21 + v23;
+    const wide c23_mm = v21 - v23;
+    const wide v24 = m4 * Z1_3;
+    const wide v25 = v24 - m3 * v5;
+    const wide v26 = v24 - m3 * v6;
+    const wide v27 = Z1_3 * v18 + v5 * -v16;
+    const wide v28 = Z1_3 * v19 + v6 * -v17;
+    const wide s23_pp = v27 + w3_p * (factor2_p * v25);
+    const wide s23_pm = v27 + w3_p * (factor2_p * -v25);
+    const wide s23_mp = v28 + w3_m * (factor2_m * v26);
+    const wide s23_mm = v28 + w3_m * (factor2_m * -v26);
+    const wide v29 = T23 * s1_p - T13 * v2;
+    const wide v30 = T23 * s1_m - T13 * v3;
+    const wide X4_pp = c23_pp * v29 - T33 * s23_pp;
+    const wide X4_pm = c23_pm * v29 - T33 * s23_pm;
+    const wide X4_mp = c23_mp * v30 - T33 * s23_mp;
+    const wide X4_mm = c23_mm * v30 - T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v2;
+    const wide Y4_m = T13 * s1_m + T23 * v3;
+    const wide v31 = Y4_p * Y4_p;
+    const wide v32 = Y4_m * Y4_m;
+    const wide v33 = v31 + X4_pp * X4_pp;
+    const wide v34 = v31 + X4_pm * X4_pm;
+    const wide v35 = v32 + X4_mp * X4_mp;
+    const wide v36 = v32 + X4_mm * X4_mm;
+    const wide w4_pp = sqrt_wide(v33);
+    const wide w4_pm = sqrt_wide(v34);
+    const wide w4_mp = sqrt_wide(v35);
+    const wide w4_mm = sqrt_wide(v36);
     const wide factor4_pp = 1.0 / w4_pp;
     const wide factor4_pm = 1.0 / w4_pm;
     const wide factor4_mp = 1.0 / w4_mp;
     const wide factor4_mm = 1.0 / w4_mm;
-    const wide v47 = X4_pp * factor4_pp;
-    const wide v48 = X4_pm * factor4_pm;
-    const wide v49 = v39 * factor4_mp;
-    const wide v50 = v40 * factor4_mm;
+    const wide v37 = X4_pp * factor4_pp;
+    const wide v38 = X4_pm * factor4_pm;
+    const wide v39 = X4_mp * factor4_mp;
+    const wide v40 = X4_mm * factor4_mm;
     const wide s4_pp = Y4_p * factor4_pp;
     const wide s4_pm = Y4_p * factor4_pm;
     const wide s4_mp = Y4_m * factor4_mp;
     const wide s4_mm = Y4_m * factor4_mm;
     const wide angle1______ = atan2_wide(Y4_p, -X4_pp);
     const wide angle1_______ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1________ = atan2_wide(Y4_m, v39);
-    const wide angle1_________ = atan2_wide(Y4_m, v40);
-    const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide q4_ppm = angle1______ - v51;
-    const wide q4_pmm = angle1_______ - v51;
-    const wide q4_mpm = angle1________ - v52;
-    const wide q4_mmm = angle1_________ - v52;
+    const wide angle1________ = atan2_wide(Y4_m, -X4_mp);
+    const wide angle1_________ = atan2_wide(Y4_m, -X4_mm);
+    const wide v41 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v42 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
+    const wide q4_ppm = angle1______ - v41;
+    const wide q4_pmm = angle1_______ - v41;
+    const wide q4_mpm = angle1________ - v42;
+    const wide q4_mmm = angle1_________ - v42;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(-w4_pp, T33 * c23_pp + s23_pp * v37);
-    const wide angle1___________ = atan2_wide(-w4_pm, T33 * c23_pm + s23_pm * v37);
-    const wide angle1____________ = atan2_wide(-w4_mp, T33 * c23_mp - s23_mp * v38);
-    const wide angle1_____________ = atan2_wide(-w4_mm, T33 * c23_mm - s23_mm * v38);
+    const wide angle1__________ = atan2_wide(-w4_pp, T33 * c23_pp + s23_pp * v29);
+    const wide angle1___________ = atan2_wide(-w4_pm, T33 * c23_pm + s23_pm * v29);
+    const wide angle1____________ = atan2_wide(-w4_mp, T33 * c23_mp + s23_mp * v30);
+    const wide angle1_____________ = atan2_wide(-w4_mm, T33 * c23_mm + s23_mm * v30);
 
     /* theta6 */
-    const wide v53 = s1_p * T12 + v6 * T22;
-    const wide v54 = v7 * T22 - v11 * T12;
-    const wide v55 = s1_p * T22 - v6 * T12;
-    const wide v56 = v11 * T22 + v7 * T12;
-    const wide v57 = s1_p * T11 + v6 * T21;
-    const wide v58 = v7 * T21 - v11 * T11;
-    const wide v59 = s1_p * T21 - v6 * T11;
-    const wide v60 = v11 * T21 + v7 * T11;
-    const wide v61 = v47 * v57 - s4_pp * (c23_pp * v59 - s23_pp * T31);
-    const wide v62 = v48 * v57 - s4_pm * (c23_pm * v59 - s23_pm * T31);
-    const wide v63 = s4_mp * (c23_mp * v60 + s23_mp * T31) - v49 * v58;
-    const wide v64 = s4_mm * (c23_mm * v60 + s23_mm * T31) - v50 * v58;
-    const wide angle1______________ = atan2_wide(v61, v47 * v53 - s4_pp * (c23_pp * v55 - s23_pp *
+    const wide v43 = s1_p * T12 + v2 * T22;
+    const wide v44 = s1_m * T12 + v3 * T22;
+    const wide v45 = s1_p * T22 - v2 * T12;
+    const wide v46 = s1_m * T22 - v3 * T12;
+    const wide v47 = s1_p * T11 + v2 * T21;
+    const wide v48 = s1_m * T11 + v3 * T21;
+    const wide v49 = s1_p * T21 - v2 * T11;
+    const wide v50 = s1_m * T21 - v3 * T11;
+    const wide v51 = v37 * v47 - s4_pp * (c23_pp * v49 - s23_pp * T31);
+    const wide v52 = v38 * v47 - s4_pm * (c23_pm * v49 - s23_pm * T31);
+    const wide v53 = v39 * v48 - s4_mp * (c23_mp * v50 - s23_mp * T31);
+    const wide v54 = v40 * v48 - s4_mm * (c23_mm * v50 - s23_mm * T31);
+    const wide angle1______________ = atan2_wide(v51, v37 * v43 - s4_pp * (c23_pp * v45 - s23_pp *
         T32));
-    const wide angle1_______________ = atan2_wide(v62, v48 * v53 - s4_pm * (c23_pm * v55 - s23_pm *
+    const wide angle1_______________ = atan2_wide(v52, v38 * v43 - s4_pm * (c23_pm * v45 - s23_pm *
         T32));
-    const wide angle1________________ = atan2_wide(v63, s4_mp * (c23_mp * v56 + s23_mp * T32) - v49
-        * v54);
-    const wide angle1_________________ = atan2_wide(v64, s4_mm * (c23_mm * v56 + s23_mm * T32) - v50
-        * v54);
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v61);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v62);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v63);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v64);
+    const wide angle1________________ = atan2_wide(v53, v39 * v44 - s4_mp * (c23_mp * v46 - s23_mp *
+        T32));
+    const wide angle1_________________ = atan2_wide(v54, v40 * v44 - s4_mm * (c23_mm * v46 - s23_mm
+        * T32));
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v51);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v52);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v53);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v54);
 
     /* joint values */
-    const wide q3_ppp = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m4), all_wide(0.0));
-    const wide q3_mpp = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m4), all_wide(0.0));
-    const wide angle1__________________ = atan2_wide(v9, -v4);
+    const wide q3_ppp = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m9), all_wide(0.0));
+    const wide q3_mpp = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m9), all_wide(0.0));
+    const wide angle1__________________ = atan2_wide(s1_p, -v2);
     const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
-    const wide angle1___________________ = atan2_wide(-v10, -v5);
+    const wide angle1___________________ = atan2_wide(s1_m, -v3);
     const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
-    const wide_mask doubt = ((v32 <= m1) | (v46 <= m2)) | (((v31 <= m1) | (v45 <= m2)) | (((v30 <=
-        m1) | (v44 <= m2)) | (((v29 <= m1) | (v43 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
-        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)))))))));
+    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k3 <= D1) & (free1 | ((k4
+        < D1) == 0))) | (free1 | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1__;
@@ -644,14 +711,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = angle1___;
-    q[14] = -(v23 + pick_wide(half_turn < -v23, all_wide(m4), all_wide(0.0)));
+    q[14] = -(v8 + pick_wide(half_turn < -v8, all_wide(m9), all_wide(0.0)));
     q[15] = angle1_______;
     q[16] = angle1___________;
     q[17] = angle1_______________;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = angle1___;
-    q[20] = -(v23 + pick_wide(half_turn < -v23, all_wide(m4), all_wide(0.0)));
+    q[20] = -(v8 + pick_wide(half_turn < -v8, all_wide(m9), all_wide(0.0)));
     q[21] = q4_pmm;
     q[22] = -angle1___________;
     q[23] = q6_pmm;
@@ -672,86 +739,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = angle1_____;
-    q[38] = -(v24 + pick_wide(half_turn < -v24, all_wide(m4), all_wide(0.0)));
+    q[38] = -(v9 + pick_wide(half_turn < -v9, all_wide(m9), all_wide(0.0)));
     q[39] = angle1_________;
     q[40] = angle1_____________;
     q[41] = angle1_________________;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = angle1_____;
-    q[44] = -(v24 + pick_wide(half_turn < -v24, all_wide(m4), all_wide(0.0)));
+    q[44] = -(v9 + pick_wide(half_turn < -v9, all_wide(m9), all_wide(0.0)));
     q[45] = q4_mmm;
     q[46] = -angle1_____________;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -770,134 +774,85 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v1 = k1 * wx;
-    const double v2 = k1 * Y1;
-    const double v3 = wx * w1;
-    const four v4 = v2 + e1 * v3;
-    const four v5 = inverse1 * v4;
-    const double v6 = Y1 * w1;
-    const four v7 = e1 * v6 - v1;
-    const four s1 = inverse1 * v7;
+    const double v1 = inverse1 * (k1 * Y1);
+    const four v2 = v1 + w1 * (inverse1 * (e1 * wx));
+    const double v3 = inverse1 * (k1 * wx);
+    const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const four v8 = a1 + e1 * w1;
-    const double v9 = Z1_3 * Z1_3;
-    const four N3 = v9 + v8 * v8;
-    const four K3 = N3 - k7;
+    const four v4 = a1 + e1 * w1;
+    const double v5 = Z1_3 * Z1_3;
+    const four N3 = v5 + v4 * v4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v10 = k5 * K3;
-    const four v11 = k6 * w3;
-    const four s3 = k8 * (v10 + e2 * v11);
-    const four v12 = k6 * K3;
-    const four v13 = k5 * w3;
-    const four c3 = k8 * (v12 - e2 * v13);
 
     /* theta2 */
-    const four X1_2 = d4 * c3 - a3 * s3;
-    const four Y1_2 = a2 + (a3 * c3 + d4 * s3);
-    const four v14 = v8 * X1_2 + Z1_3 * Y1_2;
-    const four C2 = Z1_3 * X1_2 - v8 * Y1_2;
-    const four v15 = v14 * v14 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v15);
-    const four c2 = C2 * factor2;
-    const four v16 = v14 * factor2;
+    const four v6 = Z1_3 * (m2 + m1 * N3);
+    const four v7 = e2 * Z1_3;
+    const four factor2 = 1.0 / N3;
+    const four v8 = v4 * (m1 + m2 * factor2);
 
     /* theta4 */
-    const four c23 = c3 * c2 + s3 * v16;
-    const four s23 = s3 * c2 - c3 * v16;
-    const four v17 = T23 * s1 - T13 * v5;
+    const double v9 = m3 * Z1_3;
+    const four v10 = v9 + m4 * v4;
+    const four v11 = m4 - m5 * factor2;
+    const four v12 = m6 * factor2 - m3;
+    const four v13 = Z1_3 * v11 + v4 * v12;
+    const four c23 = v13 + w3 * (factor2 * (e2 * v10));
+    const double v14 = m4 * Z1_3;
+    const four v15 = v14 - m3 * v4;
+    const four v16 = Z1_3 * v12 + v4 * -v11;
+    const four s23 = v16 + w3 * (factor2 * (e2 * v15));
+    const four v17 = T23 * s1 - T13 * v2;
     const four X4 = c23 * v17 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v5;
+    const four Y4 = T13 * s1 + T23 * v2;
     const four v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four w4 = sqrt_four(v19);
+    const four_mask doubt3 = v19 <= m7;
     const four factor4 = 1.0 / w4;
     const four v20 = X4 * factor4;
     const four s4 = Y4 * factor4;
     const four v21 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v22 = s1 * T12 + v5 * T22;
-    const four v23 = s1 * T22 - v5 * T12;
-    const four v24 = s1 * T11 + v5 * T21;
-    const four v25 = s1 * T21 - v5 * T11;
+    const four v22 = s1 * T12 + v2 * T22;
+    const four v23 = s1 * T22 - v2 * T12;
+    const four v24 = s1 * T11 + v2 * T21;
+    const four v25 = s1 * T21 - v2 * T11;
     const four v26 = v20 * v24 - s4 * (c23 * v25 - s23 * T31);
 
     /* joint values */
     const int doubt1 = free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)));
-    const four_mask v27 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((v15 <= m1) | (v19 <= m2)) | v27;
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(-v14, C2);
+    const four angle1_ = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
+        * factor2))));
     const four angle1__ = atan2_four(Y4, -X4);
     const four angle1___ = atan2_four(-w4, T33 * c23 + s23 * v17);
     const four angle1____ = atan2_four(v26, v20 * v22 - s4 * (c23 * v23 - s23 * T32));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, v7, 0, 5, 2, 7),
-        __builtin_shufflevector(K3, -v4, 0, 5, 2, 7));
+    const four packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7),
+        __builtin_shufflevector(N3 - k7, -v2, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q3_ = e2 * angle1 - turn1;
     const four q4_m = angle1__ - v21;
     const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v26);
-    const four q3_p = q3_ - pick_four(half_turn < q3_, all_four(m4), all_four(0.0));
+    const four q3_p = q3_ - pick_four(half_turn < q3_, all_four(m9), all_four(0.0));
     const four q1_p = angle1_____ + (w3 - w3);
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

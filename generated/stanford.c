@@ -8,6 +8,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef STANFORD_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSTANFORD_SCALAR. With -DSTANFORD_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(STANFORD_SCALAR) && !defined(STANFORD_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef STANFORD_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & STANFORD_UNREACHABLE) \
+        | (~(none) & (outside) & STANFORD_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)STANFORD_UNREACHABLE \
+        : (outside) ? (int)STANFORD_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.412; /* joint offset 1 [m] */
 static const double d2 = 0.154; /* joint offset 2 [m] */
 static const double a3 = 0.0203; /* link length 3 [m] */
@@ -178,209 +474,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef STANFORD_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSTANFORD_SCALAR. With -DSTANFORD_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(STANFORD_SCALAR) && !defined(STANFORD_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef STANFORD_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STANFORD_UNREACHABLE) \
-        | (~(none) & (outside) & STANFORD_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)STANFORD_UNREACHABLE \
-        : (outside) ? (int)STANFORD_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -396,106 +489,102 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = k1 * T14;
-    const wide v3 = k1 * T24;
-    const wide v4 = T14 * w1;
-    const wide v5 = v3 - v4;
-    const wide v6 = v3 + v4;
-    const wide c1_p = inverse1 * v5;
-    const wide c1_m = inverse1 * v6;
-    const wide v7 = T24 * w1;
-    const wide v8 = v2 + v7;
-    const wide v9 = v2 - v7;
-    const wide v10 = inverse1 * v8;
-    const wide v11 = inverse1 * v9;
-    const wide angle1 = atan2_wide(-v8, v5);
-    const wide angle1_ = atan2_wide(-v9, v6);
+    const wide v2 = inverse1 * (k1 * T24);
+    const wide v3 = w1 * (T14 * inverse1);
+    const wide c1_p = v2 - v3;
+    const wide c1_m = v2 + v3;
+    const wide v4 = inverse1 * (k1 * T14);
+    const wide v5 = w1 * (T24 * inverse1);
+    const wide v6 = v4 + v5;
+    const wide v7 = v4 - v5;
+    const wide angle1 = atan2_wide(-v6, c1_p);
+    const wide angle1_ = atan2_wide(-v7, c1_m);
 
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1;
-    const wide v12 = D1 + Y2_2 * Y2_2;
-    const wide w3 = sqrt_wide(v12);
+    const wide v8 = D1 + Y2_2 * Y2_2;
+    const wide w3 = sqrt_wide(v8);
     const wide factor2 = 1.0 / w3;
     const wide c2 = Y2_2 * factor2;
-    const wide v13 = w1 * factor2;
+    const wide v9 = w1 * factor2;
     const wide angle1__ = atan2_wide(-w1, Y2_2);
     const wide q2_pmp = angle1__ - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
-    const wide v14 = v10 * T13 + c1_p * T23;
-    const wide v15 = v11 * T13 + c1_m * T23;
-    const wide v16 = c1_p * T13 - v10 * T23;
-    const wide v17 = c1_m * T13 - v11 * T23;
-    const wide v18 = v13 * T33;
-    const wide v19 = v18 + c2 * v16;
-    const wide v20 = c2 * v17 - v18;
-    const wide v21 = v14 * v14 + v19 * v19;
-    const wide v22 = v15 * v15 + v20 * v20;
-    const wide w4_p = sqrt_wide(v21);
-    const wide w4_m = sqrt_wide(v22);
+    const wide v10 = v6 * T13 + c1_p * T23;
+    const wide v11 = v7 * T13 + c1_m * T23;
+    const wide v12 = c1_p * T13 - v6 * T23;
+    const wide v13 = c1_m * T13 - v7 * T23;
+    const wide v14 = v9 * T33;
+    const wide v15 = v14 + c2 * v12;
+    const wide v16 = c2 * v13 - v14;
+    const wide v17 = v10 * v10 + v15 * v15;
+    const wide v18 = v11 * v11 + v16 * v16;
+    const wide w4_p = sqrt_wide(v17);
+    const wide w4_m = sqrt_wide(v18);
     const wide factor4_p = 1.0 / w4_p;
     const wide factor4_m = 1.0 / w4_m;
-    const wide c4_p = v14 * factor4_p;
-    const wide c4_m = v15 * factor4_m;
-    const wide v23 = v19 * factor4_p;
-    const wide v24 = v20 * factor4_m;
-    const wide angle1___ = atan2_wide(-v19, v14);
-    const wide angle1____ = atan2_wide(-v20, v15);
-    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), -v19);
-    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -v20);
+    const wide c4_p = v10 * factor4_p;
+    const wide c4_m = v11 * factor4_m;
+    const wide v19 = v15 * factor4_p;
+    const wide v20 = v16 * factor4_m;
+    const wide angle1___ = atan2_wide(-v15, v10);
+    const wide angle1____ = atan2_wide(-v16, v11);
+    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), -v15);
+    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -v16);
 
     /* theta5 */
-    const wide v25 = c2 * T33;
-    const wide angle1_____ = atan2_wide(-w4_p, v25 - v13 * v16);
-    const wide angle1______ = atan2_wide(-w4_m, v25 + v13 * v17);
+    const wide v21 = c2 * T33;
+    const wide angle1_____ = atan2_wide(-w4_p, v21 - v9 * v12);
+    const wide angle1______ = atan2_wide(-w4_m, v21 + v9 * v13);
     const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4_p) - angle1_____;
     const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -w4_m) - angle1______;
 
     /* theta6 */
-    const wide v26 = v13 * T32;
-    const wide v27 = v13 * T31;
-    const wide s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11);
-    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11);
-    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 *
-        (c1_p * T22 + v10 * T12));
-    const wide angle1________ = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24
-        * (c1_m * T22 + v11 * T12));
+    const wide v22 = v9 * T32;
+    const wide v23 = v9 * T31;
+    const wide s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11);
+    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11);
+    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 *
+        (c1_p * T22 + v6 * T12));
+    const wide angle1________ = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 *
+        (c1_m * T22 + v7 * T12));
     const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s6_p);
     const wide q6_mpm = angle1________ - h1 * copysign_wide(all_wide(half_turn), s6_m);
 
     /* joint values */
-    const wide_mask v28 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v29 = (angle1_ < low1) | (high1 < angle1_);
-    const wide_mask v30 = (w3 < low3) | (high3 < w3);
-    const wide_mask v31 = (-w3 < low3) | (high3 < -w3);
+    const wide_mask v24 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v25 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v26 = (w3 < low3) | (high3 < w3);
+    const wide_mask v27 = (-w3 < low3) | (high3 < -w3);
     const wide q3_ppp = v1 + w3;
     const wide q3_pmp = v1 - w3;
-    const wide_mask v32 = v30 | (v28 | ((angle1__ < low2) | (high2 < angle1__)));
-    const wide_mask v33 = v31 | (v28 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v34 = v30 | (v29 | ((-angle1__ < low2) | (high2 < -angle1__)));
-    const wide_mask v35 = v31 | (v29 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
-    const wide_mask v36 = (angle1_______ < low6) | (high6 < angle1_______);
-    const wide_mask outside_ppp = v36 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v32 |
+    const wide_mask v28 = v26 | (v24 | ((angle1__ < low2) | (high2 < angle1__)));
+    const wide_mask v29 = v27 | (v24 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v30 = v26 | (v25 | ((-angle1__ < low2) | (high2 < -angle1__)));
+    const wide_mask v31 = v27 | (v25 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
+    const wide_mask v32 = (angle1_______ < low6) | (high6 < angle1_______);
+    const wide_mask outside_ppp = v32 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v28 |
         ((angle1___ < low4) | (high4 < angle1___))));
-    const wide_mask v37 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask outside_ppm = v37 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v32 |
+    const wide_mask v33 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask outside_ppm = v33 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v28 |
         ((q4_ppm < low4) | (high4 < q4_ppm))));
-    const wide_mask outside_pmp = v37 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v33 | ((-angle1___
+    const wide_mask outside_pmp = v33 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v29 | ((-angle1___
         < low4) | (high4 < -angle1___))));
-    const wide_mask outside_pmm = v36 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v33 | ((-q4_ppm <
+    const wide_mask outside_pmm = v32 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v29 | ((-q4_ppm <
         low4) | (high4 < -q4_ppm))));
-    const wide_mask v38 = (angle1________ < low6) | (high6 < angle1________);
-    const wide_mask outside_mpp = v38 | (((angle1______ < low5) | (high5 < angle1______)) | (v34 |
+    const wide_mask v34 = (angle1________ < low6) | (high6 < angle1________);
+    const wide_mask outside_mpp = v34 | (((angle1______ < low5) | (high5 < angle1______)) | (v30 |
         ((angle1____ < low4) | (high4 < angle1____))));
-    const wide_mask v39 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask outside_mpm = v39 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v34 |
+    const wide_mask v35 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask outside_mpm = v35 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v30 |
         ((q4_mpm < low4) | (high4 < q4_mpm))));
-    const wide_mask outside_mmp = v39 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v35 | ((-angle1____
+    const wide_mask outside_mmp = v35 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v31 | ((-angle1____
         < low4) | (high4 < -angle1____))));
-    const wide_mask outside_mmm = v38 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v35 | ((-q4_mpm <
+    const wide_mask outside_mmm = v34 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v31 | ((-q4_mpm <
         low4) | (high4 < -q4_mpm))));
-    const wide_mask doubt = (v22 <= m3) | ((v21 <= m3) | ((v12 <= m1) | (free1 | ((-k3 <= D1) &
-        (free1 | ((k4 < D1) == 0))))));
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v8 <= m1) |
+        ((v17 <= m3) | (v18 <= m3))));
 
     q[0] = angle1;
     q[1] = angle1__;
@@ -554,73 +643,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = angle1________;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -639,136 +665,92 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = k1 * T14;
-    const double v3 = k1 * T24;
-    const double v4 = T14 * w1;
-    const four v5 = v3 - e1 * v4;
-    const four c1 = inverse1 * v5;
-    const double v6 = T24 * w1;
-    const four v7 = v2 + e1 * v6;
-    const four v8 = inverse1 * v7;
+    const double v2 = inverse1 * (k1 * T24);
+    const four c1 = v2 - w1 * (inverse1 * (e1 * T14));
+    const double v3 = inverse1 * (k1 * T14);
+    const four v4 = v3 + w1 * (inverse1 * (e1 * T24));
 
     /* theta2, r3 */
     const double Y2_2 = T34 - d1;
-    const double v9 = D1 + Y2_2 * Y2_2;
-    const double w3 = sqrt(v9);
+    const double v5 = D1 + Y2_2 * Y2_2;
+    const double w3 = sqrt(v5);
     const double factor2 = 1.0 / w3;
     const double c2 = Y2_2 * factor2;
-    const double v10 = w1 * factor2;
-    const double v11 = copysign(half_turn, -w1);
-    const four v12 = e2 - 1.0;
-    const four v13 = m2 * v12;
+    const double v6 = w1 * factor2;
+    const double v7 = copysign(half_turn, -w1);
+    const four v8 = e2 - 1.0;
+    const four v9 = m2 * v8;
 
     /* theta4 */
-    const four v14 = v8 * T13 + c1 * T23;
-    const four v15 = c1 * T13 - v8 * T23;
-    const double v16 = v10 * T33;
-    const four v17 = c2 * v15 + e1 * v16;
-    const four v18 = v14 * v14 + v17 * v17;
-    const four w4 = sqrt_four(v18);
+    const four v10 = v4 * T13 + c1 * T23;
+    const four v11 = c1 * T13 - v4 * T23;
+    const double v12 = v6 * T33;
+    const four v13 = c2 * v11 + e1 * v12;
+    const four v14 = v10 * v10 + v13 * v13;
+    const four w4 = sqrt_four(v14);
+    const four_mask doubt2 = v14 <= m3;
     const four factor4 = 1.0 / w4;
-    const four c4 = v14 * factor4;
-    const four v19 = v17 * factor4;
+    const four c4 = v10 * factor4;
+    const four v15 = v13 * factor4;
 
     /* theta5 */
-    const double v20 = c2 * T33;
-    const four v21 = copysign_four(all_four(half_turn), -w4);
-    const four v22 = m2 * -v12;
+    const double v16 = c2 * T33;
+    const four v17 = copysign_four(all_four(half_turn), -w4);
+    const four v18 = m2 * -v8;
 
     /* theta6 */
-    const double v23 = v10 * T32;
-    const double v24 = v10 * T31;
-    const four s6 = c4 * (c2 * (c1 * T11 - v8 * T21) + e1 * v24) - v19 * (c1 * T21 + v8 * T11);
-    const four v25 = copysign_four(all_four(half_turn), s6);
-    const four v26 = m2 * (e2 + 1.0);
+    const double v19 = v6 * T32;
+    const double v20 = v6 * T31;
+    const four s6 = c4 * (c2 * (c1 * T11 - v4 * T21) + e1 * v20) - v15 * (c1 * T21 + v4 * T11);
+    const four v21 = copysign_four(all_four(half_turn), s6);
+    const four v22 = m2 * (e2 + 1.0);
 
     /* joint values */
-    const four v27 = e2 * w3;
-    const four_mask v29 = (v27 < low3) | (high3 < v27);
-    const four q3_p = v1 + v27;
-    const int doubt1 = (v9 <= m1) | (free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))));
-    const four_mask doubt = (v18 <= m3) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
+    const four v23 = e2 * w3;
+    const four_mask v25 = (v23 < low3) | (high3 < v23);
+    const four q3_p = v1 + v23;
+    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (v5 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v7, -v17, 0, 5, 2, 7),
-        __builtin_shufflevector(v5, v14, 0, 5, 2, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(-v4, -v13, 0, 5, 2, 7),
+        __builtin_shufflevector(c1, v10, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
     const four packed2 = atan2_four(__builtin_shufflevector(-w4, s6, 0, 5, 2, 7),
-        __builtin_shufflevector(v20 - e1 * (v10 * v15), c4 * (c2 * (c1 * T12 - v8 * T22) + e1 * v23)
-        - v19 * (c1 * T22 + v8 * T12), 0, 5, 2, 7));
+        __builtin_shufflevector(v16 - e1 * (v6 * v11), c4 * (c2 * (c1 * T12 - v4 * T22) + e1 * v19)
+        - v15 * (c1 * T22 + v4 * T12), 0, 5, 2, 7));
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
     const four packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 });
     const four angle1_ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four q2_ = angle1_ + v11 * v13;
-    const four q4__m = angle1__ - copysign_four(all_four(half_turn), -v17) * h1;
-    const four q5_p = e2 * angle1___ + v21 * v22;
-    const four q6_p = angle1____ + v13 * v25;
-    const four q6_m = angle1____ - v25 * v26;
+    const four q2_ = angle1_ + v7 * v9;
+    const four q4__m = angle1__ - copysign_four(all_four(half_turn), -v13) * h1;
+    const four q5_p = e2 * angle1___ + v17 * v18;
+    const four q6_p = angle1____ + v9 * v21;
+    const four q6_m = angle1____ - v21 * v22;
     const four q2_p = e1 * q2_;
     const four q4_p = e2 * angle1__;
     const four q4_m = e2 * q4__m;
-    const four_mask v28 = (angle1 < low1) | (high1 < angle1);
-    const four_mask v30 = v29 | (v28 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask v24 = (angle1 < low1) | (high1 < angle1);
+    const four_mask v26 = v25 | (v24 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
-        | (v30 | ((q4_p < low4) | (high4 < q4_p))));
+        | (v26 | ((q4_p < low4) | (high4 < q4_p))));
     const four_mask outside_m = ((q6_m < low6) | (high6 < q6_m)) | (((-q5_p < low5) | (high5 <
-        -q5_p)) | (v30 | ((q4_m < low4) | (high4 < q4_m))));
+        -q5_p)) | (v26 | ((q4_m < low4) | (high4 < q4_m))));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(angle1 != angle1, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], angle1, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -q5_p, q6_m);
-    const four_mask kind2 = kind_of(angle1 != angle1, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * STANFORD_UNREACHABLE + (outside1 & ~none1) *
+        STANFORD_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

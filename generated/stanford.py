@@ -429,125 +429,121 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = k1 * T14
-    v3 = k1 * T24
-    v4 = T14 * w1
-    v5 = v3 - v4
-    v6 = v3 + v4
-    c1_p = inverse1 * v5
-    c1_m = inverse1 * v6
-    v7 = T24 * w1
-    v8 = v2 + v7
-    v9 = v2 - v7
-    v10 = inverse1 * v8
-    v11 = inverse1 * v9
-    angle1 = _atan2(-v8, v5)
-    angle1_ = _atan2(-v9, v6)
+    v2 = inverse1 * (k1 * T24)
+    v3 = w1 * (T14 * inverse1)
+    c1_p = v2 - v3
+    c1_m = v2 + v3
+    v4 = inverse1 * (k1 * T14)
+    v5 = w1 * (T24 * inverse1)
+    v6 = v4 + v5
+    v7 = v4 - v5
+    angle1 = _atan2(-v6, c1_p)
+    angle1_ = _atan2(-v7, c1_m)
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     Y2_2 = T34 - d1
-    v12 = D1 + Y2_2 * Y2_2
-    w3 = math.sqrt(v12)
+    v8 = D1 + Y2_2 * Y2_2
+    w3 = math.sqrt(v8)
     factor2 = 1.0 / w3
     c2 = Y2_2 * factor2
-    v13 = w1 * factor2
+    v9 = w1 * factor2
     angle1__ = _atan2(-w1, Y2_2)
     q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
 
     # theta4, type 2: U4[3, 3]
-    v14 = v10 * T13 + c1_p * T23
-    v15 = v11 * T13 + c1_m * T23
-    v16 = c1_p * T13 - v10 * T23
-    v17 = c1_m * T13 - v11 * T23
-    v18 = v13 * T33
-    v19 = v18 + c2 * v16
-    v20 = c2 * v17 - v18
-    v21 = v14 * v14 + v19 * v19
-    v22 = v15 * v15 + v20 * v20
-    w4_p = math.sqrt(v21)
-    w4_m = math.sqrt(v22)
+    v10 = v6 * T13 + c1_p * T23
+    v11 = v7 * T13 + c1_m * T23
+    v12 = c1_p * T13 - v6 * T23
+    v13 = c1_m * T13 - v7 * T23
+    v14 = v9 * T33
+    v15 = v14 + c2 * v12
+    v16 = c2 * v13 - v14
+    v17 = v10 * v10 + v15 * v15
+    v18 = v11 * v11 + v16 * v16
+    w4_p = math.sqrt(v17)
+    w4_m = math.sqrt(v18)
     factor4_p = 1.0 / w4_p
     factor4_m = 1.0 / w4_m
-    c4_p = v14 * factor4_p
-    c4_m = v15 * factor4_m
-    v23 = v19 * factor4_p
-    v24 = v20 * factor4_m
-    angle1___ = _atan2(-v19, v14)
-    angle1____ = _atan2(-v20, v15)
-    q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v19)
-    q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v20)
+    c4_p = v10 * factor4_p
+    c4_m = v11 * factor4_m
+    v19 = v15 * factor4_p
+    v20 = v16 * factor4_m
+    angle1___ = _atan2(-v15, v10)
+    angle1____ = _atan2(-v16, v11)
+    q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v15)
+    q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v16)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    v25 = c2 * T33
-    angle1_____ = _atan2(-w4_p, v25 - v13 * v16)
-    angle1______ = _atan2(-w4_m, v25 + v13 * v17)
+    v21 = c2 * T33
+    angle1_____ = _atan2(-w4_p, v21 - v9 * v12)
+    angle1______ = _atan2(-w4_m, v21 + v9 * v13)
     q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
     q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v26 = v13 * T32
-    v27 = v13 * T31
-    s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11)
-    s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11)
+    v22 = v9 * T32
+    v23 = v9 * T31
+    s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11)
+    s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11)
     angle1_______ = (
-        _atan2(s6_p, c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 * (c1_p * T22 + v10 * T12))
+        _atan2(s6_p, c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 * (c1_p * T22 + v6 * T12))
     )
     angle1________ = (
-        _atan2(s6_m, c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24 * (c1_m * T22 + v11 * T12))
+        _atan2(s6_m, c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 * (c1_m * T22 + v7 * T12))
     )
     q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
     q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
 
     # joint values
-    v28 = angle1 < low1 or high1 < angle1
-    v29 = angle1_ < low1 or high1 < angle1_
-    v30 = w3 < low3 or high3 < w3
-    v31 = -w3 < low3 or high3 < -w3
+    v24 = angle1 < low1 or high1 < angle1
+    v25 = angle1_ < low1 or high1 < angle1_
+    v26 = w3 < low3 or high3 < w3
+    v27 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    v32 = v30 or (v28 or (angle1__ < low2 or high2 < angle1__))
-    v33 = v31 or (v28 or (q2_pmp < low2 or high2 < q2_pmp))
-    v34 = v30 or (v29 or (-angle1__ < low2 or high2 < -angle1__))
-    v35 = v31 or (v29 or (-q2_pmp < low2 or high2 < -q2_pmp))
-    v36 = angle1_______ < low6 or high6 < angle1_______
+    v28 = v26 or (v24 or (angle1__ < low2 or high2 < angle1__))
+    v29 = v27 or (v24 or (q2_pmp < low2 or high2 < q2_pmp))
+    v30 = v26 or (v25 or (-angle1__ < low2 or high2 < -angle1__))
+    v31 = v27 or (v25 or (-q2_pmp < low2 or high2 < -q2_pmp))
+    v32 = angle1_______ < low6 or high6 < angle1_______
     outside_ppp = (
-        v36 or (angle1_____ < low5 or high5 < angle1_____ or (v32 or (angle1___ < low4 or high4 <
+        v32 or (angle1_____ < low5 or high5 < angle1_____ or (v28 or (angle1___ < low4 or high4 <
         angle1___)))
     )
-    v37 = q6_ppm < low6 or high6 < q6_ppm
+    v33 = q6_ppm < low6 or high6 < q6_ppm
     outside_ppm = (
-        v37 or (-angle1_____ < low5 or high5 < -angle1_____ or (v32 or (q4_ppm < low4 or high4 <
+        v33 or (-angle1_____ < low5 or high5 < -angle1_____ or (v28 or (q4_ppm < low4 or high4 <
         q4_ppm)))
     )
     outside_pmp = (
-        v37 or (q5_pmp < low5 or high5 < q5_pmp or (v33 or (-angle1___ < low4 or high4 <
+        v33 or (q5_pmp < low5 or high5 < q5_pmp or (v29 or (-angle1___ < low4 or high4 <
         -angle1___)))
     )
     outside_pmm = (
-        v36 or (-q5_pmp < low5 or high5 < -q5_pmp or (v33 or (-q4_ppm < low4 or high4 < -q4_ppm)))
+        v32 or (-q5_pmp < low5 or high5 < -q5_pmp or (v29 or (-q4_ppm < low4 or high4 < -q4_ppm)))
     )
-    v38 = angle1________ < low6 or high6 < angle1________
+    v34 = angle1________ < low6 or high6 < angle1________
     outside_mpp = (
-        v38 or (angle1______ < low5 or high5 < angle1______ or (v34 or (angle1____ < low4 or high4 <
+        v34 or (angle1______ < low5 or high5 < angle1______ or (v30 or (angle1____ < low4 or high4 <
         angle1____)))
     )
-    v39 = q6_mpm < low6 or high6 < q6_mpm
+    v35 = q6_mpm < low6 or high6 < q6_mpm
     outside_mpm = (
-        v39 or (-angle1______ < low5 or high5 < -angle1______ or (v34 or (q4_mpm < low4 or high4 <
+        v35 or (-angle1______ < low5 or high5 < -angle1______ or (v30 or (q4_mpm < low4 or high4 <
         q4_mpm)))
     )
     outside_mmp = (
-        v39 or (q5_mmp < low5 or high5 < q5_mmp or (v35 or (-angle1____ < low4 or high4 <
+        v35 or (q5_mmp < low5 or high5 < q5_mmp or (v31 or (-angle1____ < low4 or high4 <
         -angle1____)))
     )
     outside_mmm = (
-        v38 or (-q5_mmp < low5 or high5 < -q5_mmp or (v35 or (-q4_mpm < low4 or high4 < -q4_mpm)))
+        v34 or (-q5_mmp < low5 or high5 < -q5_mmp or (v31 or (-q4_mpm < low4 or high4 < -q4_mpm)))
     )
-    doubt = (
-        v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 < D1)))))
+    doubt1 = (
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v8 <= m1 or (v17 <= m3 or v18 <= m3)))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1__
@@ -797,103 +793,99 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = k1 * T14
-            v3 = k1 * T24
-            v4 = T14 * w1
-            v5 = v3 - v4
-            v6 = v3 + v4
-            c1_p = inverse1 * v5
-            c1_m = inverse1 * v6
-            v7 = T24 * w1
-            v8 = v2 + v7
-            v9 = v2 - v7
-            v10 = inverse1 * v8
-            v11 = inverse1 * v9
+            v2 = inverse1 * (k1 * T24)
+            v3 = w1 * (T14 * inverse1)
+            c1_p = v2 - v3
+            c1_m = v2 + v3
+            v4 = inverse1 * (k1 * T14)
+            v5 = w1 * (T24 * inverse1)
+            v6 = v4 + v5
+            v7 = v4 - v5
             Y2_2 = T34 - d1
-            v12 = D1 + Y2_2 * Y2_2
-            w3 = math.sqrt(v12)
+            v8 = D1 + Y2_2 * Y2_2
+            w3 = math.sqrt(v8)
             factor2 = 1.0 / w3
             c2 = Y2_2 * factor2
-            v13 = w1 * factor2
-            v14 = v10 * T13 + c1_p * T23
-            v15 = v11 * T13 + c1_m * T23
-            v16 = c1_p * T13 - v10 * T23
-            v17 = c1_m * T13 - v11 * T23
-            v18 = v13 * T33
-            v19 = v18 + c2 * v16
-            v20 = c2 * v17 - v18
-            v21 = v14 * v14 + v19 * v19
-            v22 = v15 * v15 + v20 * v20
-            w4_p = math.sqrt(v21)
-            w4_m = math.sqrt(v22)
+            v9 = w1 * factor2
+            v10 = v6 * T13 + c1_p * T23
+            v11 = v7 * T13 + c1_m * T23
+            v12 = c1_p * T13 - v6 * T23
+            v13 = c1_m * T13 - v7 * T23
+            v14 = v9 * T33
+            v15 = v14 + c2 * v12
+            v16 = c2 * v13 - v14
+            v17 = v10 * v10 + v15 * v15
+            v18 = v11 * v11 + v16 * v16
+            w4_p = math.sqrt(v17)
+            w4_m = math.sqrt(v18)
             factor4_p = 1.0 / w4_p
             factor4_m = 1.0 / w4_m
-            c4_p = v14 * factor4_p
-            c4_m = v15 * factor4_m
-            v23 = v19 * factor4_p
-            v24 = v20 * factor4_m
-            v25 = c2 * T33
-            v26 = v13 * T32
-            v27 = v13 * T31
-            s6_p = c4_p * (v27 + c2 * (c1_p * T11 - v10 * T21)) - v23 * (c1_p * T21 + v10 * T11)
-            s6_m = c4_m * (c2 * (c1_m * T11 - v11 * T21) - v27) - v24 * (c1_m * T21 + v11 * T11)
-            v30 = w3 < low3 or high3 < w3
-            v31 = -w3 < low3 or high3 < -w3
+            c4_p = v10 * factor4_p
+            c4_m = v11 * factor4_m
+            v19 = v15 * factor4_p
+            v20 = v16 * factor4_m
+            v21 = c2 * T33
+            v22 = v9 * T32
+            v23 = v9 * T31
+            s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11)
+            s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11)
+            v26 = w3 < low3 or high3 < w3
+            v27 = -w3 < low3 or high3 < -w3
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
-            doubt = (
-                v22 <= m3 or (v21 <= m3 or (v12 <= m1 or (free1 or -k3 <= D1 and (free1 or not (k4 <
-                D1)))))
+            doubt1 = (
+                -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v8 <= m1 or (v17 <= m3 or v18
+                <= m3)))
             )
             work[544 + k] = w1
-            work[576 + k] = v19
-            work[608 + k] = v20
+            work[576 + k] = v15
+            work[608 + k] = v16
             work[640 + k] = w4_p
             work[672 + k] = w4_m
             work[704 + k] = s6_p
             work[736 + k] = s6_m
-            work[768 + k] = v30
-            work[800 + k] = v31
+            work[768 + k] = v26
+            work[800 + k] = v27
             work[832 + k] = q3_ppp
             work[864 + k] = q3_pmp
-            work[896 + k] = doubt
-            work[928 + k] = -v8
-            work[960 + k] = -v9
+            work[896 + k] = doubt1
+            work[928 + k] = -v6
+            work[960 + k] = -v7
             work[992 + k] = -w1
-            work[1024 + k] = -v19
-            work[1056 + k] = -v20
+            work[1024 + k] = -v15
+            work[1056 + k] = -v16
             work[1088 + k] = -w4_p
             work[1120 + k] = -w4_m
             work[1152 + k] = s6_p
             work[1184 + k] = s6_m
-            work[1216 + k] = v5
-            work[1248 + k] = v6
+            work[1216 + k] = c1_p
+            work[1248 + k] = c1_m
             work[1280 + k] = Y2_2
-            work[1312 + k] = v14
-            work[1344 + k] = v15
-            work[1376 + k] = v25 - v13 * v16
-            work[1408 + k] = v25 + v13 * v17
+            work[1312 + k] = v10
+            work[1344 + k] = v11
+            work[1376 + k] = v21 - v9 * v12
+            work[1408 + k] = v21 + v9 * v13
             work[1440 + k] = (
-                c4_p * (v26 + c2 * (c1_p * T12 - v10 * T22)) - v23 * (c1_p * T22 + v10 * T12)
+                c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 * (c1_p * T22 + v6 * T12)
             )
             work[1472 + k] = (
-                c4_m * (c2 * (c1_m * T12 - v11 * T22) - v26) - v24 * (c1_m * T22 + v11 * T12)
+                c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 * (c1_m * T22 + v7 * T12)
             )
         for k in range(928, 1216):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             w1 = work[544 + k]
-            v19 = work[576 + k]
-            v20 = work[608 + k]
+            v15 = work[576 + k]
+            v16 = work[608 + k]
             w4_p = work[640 + k]
             w4_m = work[672 + k]
             s6_p = work[704 + k]
             s6_m = work[736 + k]
-            v30 = work[768 + k] != 0.0
-            v31 = work[800 + k] != 0.0
+            v26 = work[768 + k] != 0.0
+            v27 = work[800 + k] != 0.0
             q3_ppp = work[832 + k]
             q3_pmp = work[864 + k]
-            doubt = work[896 + k] != 0.0
+            doubt1 = work[896 + k] != 0.0
             angle1 = work[928 + k]
             angle1_ = work[960 + k]
             angle1__ = work[992 + k]
@@ -904,52 +896,52 @@ def _in_tiles(T, q, status):
             angle1_______ = work[1152 + k]
             angle1________ = work[1184 + k]
             q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
-            q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v19)
-            q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v20)
+            q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v15)
+            q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v16)
             q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
             q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
             q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
             q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
-            v28 = angle1 < low1 or high1 < angle1
-            v29 = angle1_ < low1 or high1 < angle1_
-            v32 = v30 or (v28 or (angle1__ < low2 or high2 < angle1__))
-            v33 = v31 or (v28 or (q2_pmp < low2 or high2 < q2_pmp))
-            v34 = v30 or (v29 or (-angle1__ < low2 or high2 < -angle1__))
-            v35 = v31 or (v29 or (-q2_pmp < low2 or high2 < -q2_pmp))
-            v36 = angle1_______ < low6 or high6 < angle1_______
+            v24 = angle1 < low1 or high1 < angle1
+            v25 = angle1_ < low1 or high1 < angle1_
+            v28 = v26 or (v24 or (angle1__ < low2 or high2 < angle1__))
+            v29 = v27 or (v24 or (q2_pmp < low2 or high2 < q2_pmp))
+            v30 = v26 or (v25 or (-angle1__ < low2 or high2 < -angle1__))
+            v31 = v27 or (v25 or (-q2_pmp < low2 or high2 < -q2_pmp))
+            v32 = angle1_______ < low6 or high6 < angle1_______
             outside_ppp = (
-                v36 or (angle1_____ < low5 or high5 < angle1_____ or (v32 or (angle1___ < low4 or
+                v32 or (angle1_____ < low5 or high5 < angle1_____ or (v28 or (angle1___ < low4 or
                 high4 < angle1___)))
             )
-            v37 = q6_ppm < low6 or high6 < q6_ppm
+            v33 = q6_ppm < low6 or high6 < q6_ppm
             outside_ppm = (
-                v37 or (-angle1_____ < low5 or high5 < -angle1_____ or (v32 or (q4_ppm < low4 or
+                v33 or (-angle1_____ < low5 or high5 < -angle1_____ or (v28 or (q4_ppm < low4 or
                 high4 < q4_ppm)))
             )
             outside_pmp = (
-                v37 or (q5_pmp < low5 or high5 < q5_pmp or (v33 or (-angle1___ < low4 or high4 <
+                v33 or (q5_pmp < low5 or high5 < q5_pmp or (v29 or (-angle1___ < low4 or high4 <
                 -angle1___)))
             )
             outside_pmm = (
-                v36 or (-q5_pmp < low5 or high5 < -q5_pmp or (v33 or (-q4_ppm < low4 or high4 <
+                v32 or (-q5_pmp < low5 or high5 < -q5_pmp or (v29 or (-q4_ppm < low4 or high4 <
                 -q4_ppm)))
             )
-            v38 = angle1________ < low6 or high6 < angle1________
+            v34 = angle1________ < low6 or high6 < angle1________
             outside_mpp = (
-                v38 or (angle1______ < low5 or high5 < angle1______ or (v34 or (angle1____ < low4 or
+                v34 or (angle1______ < low5 or high5 < angle1______ or (v30 or (angle1____ < low4 or
                 high4 < angle1____)))
             )
-            v39 = q6_mpm < low6 or high6 < q6_mpm
+            v35 = q6_mpm < low6 or high6 < q6_mpm
             outside_mpm = (
-                v39 or (-angle1______ < low5 or high5 < -angle1______ or (v34 or (q4_mpm < low4 or
+                v35 or (-angle1______ < low5 or high5 < -angle1______ or (v30 or (q4_mpm < low4 or
                 high4 < q4_mpm)))
             )
             outside_mmp = (
-                v39 or (q5_mmp < low5 or high5 < q5_mmp or (v35 or (-angle1____ < low4 or high4 <
+                v35 or (q5_mmp < low5 or high5 < q5_mmp or (v31 or (-angle1____ < low4 or high4 <
                 -angle1____)))
             )
             outside_mmm = (
-                v38 or (-q5_mmp < low5 or high5 < -q5_mmp or (v35 or (-q4_mpm < low4 or high4 <
+                v34 or (-q5_mmp < low5 or high5 < -q5_mmp or (v31 or (-q4_mpm < low4 or high4 <
                 -q4_mpm)))
             )
             _1504 = angle1
@@ -1032,7 +1024,7 @@ def _in_tiles(T, q, status):
             work[2624 + k] = (
                 UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

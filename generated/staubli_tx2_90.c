@@ -9,6 +9,309 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef STAUBLI_TX2_90_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>, too.
+ * */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(STAUBLI_TX2_90_SCALAR) && !defined(STAUBLI_TX2_90_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef STAUBLI_TX2_90_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & STAUBLI_TX2_90_UNREACHABLE) \
+        | (~(none) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)STAUBLI_TX2_90_UNREACHABLE \
+        : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.478; /* joint offset 1 [m] */
 static const double a1 = 0.05; /* link length 1 [m] */
 static const double d2 = 0.05; /* joint offset 2 [m] */
@@ -43,10 +346,13 @@ static const double low3 = -2.530727416391778; /* lowest value of joint 3 */
 static const double high3 = 2.530727416391778; /* highest value of joint 3 */
 static const double low5 = -2.007128640793479; /* lowest value of joint 5 */
 static const double high5 = 2.4434609537920613; /* highest value of joint 5 */
-static const double m1 = 5.4512163266560035e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 0.2768166089965398; /* a coefficient of s3 */
+static const double m2 = 2.768166089965398; /* a coefficient of s3 */
+static const double m3 = 1.1764705882352942; /* a coefficient of Y1_2 */
+static const double m4 = 5.4512163266560035e-48; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 1e-24; /* free_limit^2 */
+static const double m7 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const staubli_tx2_90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -61,12 +367,6 @@ static const double highest[6] = {
     3.141592653589793, 2.5743606466916362, 2.530727415391778, 4.71238898038469, 2.443460952792061,
     4.71238898038469,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void staubli_tx2_90_fk(const double q[6], double T[16])
 {
@@ -240,210 +540,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef STAUBLI_TX2_90_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DSTAUBLI_TX2_90_SCALAR. With -DSTAUBLI_TX2_90_LIBM the arctangents are those of <math.h>, too.
- * */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(STAUBLI_TX2_90_SCALAR) && !defined(STAUBLI_TX2_90_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef STAUBLI_TX2_90_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STAUBLI_TX2_90_UNREACHABLE) \
-        | (~(none) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)STAUBLI_TX2_90_UNREACHABLE \
-        : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -460,227 +556,216 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = d2 * t14;
-    const wide v2 = d2 * Y1;
-    const wide v3 = t14 * w1;
-    const wide v4 = v2 + v3;
-    const wide v5 = v2 - v3;
-    const wide v6 = inverse1 * v4;
-    const wide v7 = inverse1 * v5;
-    const wide v8 = Y1 * w1;
-    const wide v9 = v8 - v1;
-    const wide v10 = v1 + v8;
-    const wide s1_p = inverse1 * v9;
-    const wide v11 = inverse1 * v10;
+    const wide v1 = inverse1 * (d2 * Y1);
+    const wide v2 = v1 + w1 * (t14 * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -t14);
+    const wide v4 = inverse1 * (d2 * t14);
+    const wide s1_p = w1 * (Y1 * inverse1) - v4;
+    const wide s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v12 = a1 + w1;
-    const wide v13 = a1 - w1;
-    const wide v14 = Z1_3 * Z1_3;
-    const wide N3_p = v14 + v12 * v12;
-    const wide N3_m = v14 + v13 * v13;
+    const wide v5 = a1 + w1;
+    const wide v6 = a1 - w1;
+    const wide v7 = Z1_3 * Z1_3;
+    const wide N3_p = v7 + v5 * v5;
+    const wide N3_m = v7 + v6 * v6;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v15 = k4 * (N3_p - k4);
-    const wide v16 = k4 * (N3_m - k4);
-    const wide s3_p = k5 * v15;
-    const wide s3_m = k5 * v16;
-    const wide v17 = k4 * w3_p;
-    const wide v18 = k4 * w3_m;
-    const wide v19 = k5 * v17;
-    const wide v20 = k5 * v18;
+    const wide v8 = m2 * v7 + (m2 * N1 - 1.0);
+    const wide v9 = m1 * w1;
+    const wide s3_p = v8 + v9;
+    const wide s3_m = v8 - v9;
+    const wide v10 = k5 * (k4 * w3_p);
+    const wide v11 = k5 * (k4 * w3_m);
 
     /* theta2 */
-    const wide v21 = d4 * v19;
-    const wide v22 = d4 * v20;
     const wide Y1_2_p = a2 + d4 * s3_p;
     const wide Y1_2_m = a2 + d4 * s3_m;
-    const wide v23 = Z1_3 * Y1_2_p;
-    const wide v24 = Z1_3 * Y1_2_m;
-    const wide v25 = v12 * v21;
-    const wide v26 = v13 * v22;
-    const wide S2_pp = v25 - v23;
-    const wide v27 = v23 + v25;
-    const wide S2_mp = v26 - v24;
-    const wide v28 = v24 + v26;
-    const wide v29 = v12 * Y1_2_p;
-    const wide v30 = v13 * Y1_2_m;
-    const wide v31 = Z1_3 * v21;
-    const wide v32 = Z1_3 * v22;
-    const wide v33 = v29 + v31;
-    const wide v34 = v29 - v31;
-    const wide v35 = v30 + v32;
-    const wide v36 = v30 - v32;
-    const wide v37 = S2_pp * S2_pp + v33 * v33;
-    const wide v38 = v27 * v27 + v34 * v34;
-    const wide v39 = S2_mp * S2_mp + v35 * v35;
-    const wide v40 = v28 * v28 + v36 * v36;
-    const wide factor2_pp = 1.0 / sqrt_wide(v37);
-    const wide factor2_pm = 1.0 / sqrt_wide(v38);
-    const wide factor2_mp = 1.0 / sqrt_wide(v39);
-    const wide factor2_mm = 1.0 / sqrt_wide(v40);
-    const wide v41 = v33 * factor2_pp;
-    const wide v42 = v34 * factor2_pm;
-    const wide v43 = v35 * factor2_mp;
-    const wide v44 = v36 * factor2_mm;
+    const wide v12 = Z1_3 * Y1_2_p;
+    const wide v13 = Z1_3 * Y1_2_m;
+    const wide v14 = w3_p * (m3 * v5);
+    const wide S2_pp = v14 - v12;
+    const wide v15 = v12 + v14;
+    const wide S2_mp = w3_m * (m3 * v6) - v13;
+    const wide S2_mm = w3_m * (m3 * -v6) - v13;
+    const wide v16 = v5 * Y1_2_p;
+    const wide v17 = v6 * Y1_2_m;
+    const wide v18 = m3 * Z1_3;
+    const wide v19 = m3 * -Z1_3;
+    const wide v20 = v16 + w3_p * v18;
+    const wide v21 = v16 + w3_p * v19;
+    const wide v22 = v17 + w3_m * v18;
+    const wide v23 = v17 + w3_m * v19;
+    const wide v24 = S2_pp * S2_pp + v20 * v20;
+    const wide v25 = v15 * v15 + v21 * v21;
+    const wide v26 = S2_mp * S2_mp + v22 * v22;
+    const wide v27 = S2_mm * S2_mm + v23 * v23;
+    const wide factor2_pp = 1.0 / sqrt_wide(v24);
+    const wide factor2_pm = 1.0 / sqrt_wide(v25);
+    const wide factor2_mp = 1.0 / sqrt_wide(v26);
+    const wide factor2_mm = 1.0 / sqrt_wide(v27);
+    const wide v28 = v20 * factor2_pp;
+    const wide v29 = v21 * factor2_pm;
+    const wide v30 = v22 * factor2_mp;
+    const wide v31 = v23 * factor2_mm;
     const wide s2_pp = S2_pp * factor2_pp;
-    const wide v45 = v27 * factor2_pm;
+    const wide v32 = v15 * factor2_pm;
     const wide s2_mp = S2_mp * factor2_mp;
-    const wide v46 = v28 * factor2_mm;
+    const wide s2_mm = S2_mm * factor2_mm;
 
     /* theta4 */
-    const wide v47 = s3_p * s2_pp - v19 * v41;
-    const wide v48 = v19 * v42 - s3_p * v45;
-    const wide v49 = s3_m * s2_mp - v20 * v43;
-    const wide v50 = v20 * v44 - s3_m * v46;
-    const wide v51 = s3_p * v41 + v19 * s2_pp;
-    const wide v52 = s3_p * v42 + v19 * v45;
-    const wide v53 = s3_m * v43 + v20 * s2_mp;
-    const wide v54 = s3_m * v44 + v20 * v46;
-    const wide v55 = T21 * s1_p - T11 * v6;
-    const wide v56 = T21 * v11 + T11 * v7;
-    const wide X4_pp = v47 * v55 - T31 * v51;
-    const wide X4_pm = v48 * v55 - T31 * v52;
-    const wide v57 = v49 * v56 + T31 * v53;
-    const wide v58 = v50 * v56 + T31 * v54;
-    const wide v59 = T21 * v6 + T11 * s1_p;
-    const wide v60 = T21 * v7 - T11 * v11;
-    const wide v61 = v59 * v59;
-    const wide v62 = v60 * v60;
-    const wide v63 = v61 + X4_pp * X4_pp;
-    const wide v64 = v61 + X4_pm * X4_pm;
-    const wide v65 = v62 + v57 * v57;
-    const wide v66 = v62 + v58 * v58;
-    const wide w4_pp = sqrt_wide(v63);
-    const wide w4_pm = sqrt_wide(v64);
-    const wide w4_mp = sqrt_wide(v65);
-    const wide w4_mm = sqrt_wide(v66);
+    const wide v33 = s3_p * s2_pp - v10 * v28;
+    const wide v34 = v10 * v29 - s3_p * v32;
+    const wide v35 = s3_m * s2_mp - v11 * v30;
+    const wide v36 = s3_m * s2_mm + v11 * v31;
+    const wide v37 = s3_p * v28 + v10 * s2_pp;
+    const wide v38 = s3_p * v29 + v10 * v32;
+    const wide v39 = s3_m * v30 + v11 * s2_mp;
+    const wide v40 = s3_m * v31 - v11 * s2_mm;
+    const wide v41 = T21 * s1_p - T11 * v2;
+    const wide v42 = T21 * s1_m - T11 * v3;
+    const wide X4_pp = v33 * v41 - T31 * v37;
+    const wide X4_pm = v34 * v41 - T31 * v38;
+    const wide X4_mp = v35 * v42 - T31 * v39;
+    const wide X4_mm = v36 * v42 - T31 * v40;
+    const wide v43 = T21 * v2 + T11 * s1_p;
+    const wide v44 = T21 * v3 + T11 * s1_m;
+    const wide v45 = v43 * v43;
+    const wide v46 = v44 * v44;
+    const wide v47 = v45 + X4_pp * X4_pp;
+    const wide v48 = v45 + X4_pm * X4_pm;
+    const wide v49 = v46 + X4_mp * X4_mp;
+    const wide v50 = v46 + X4_mm * X4_mm;
+    const wide w4_pp = sqrt_wide(v47);
+    const wide w4_pm = sqrt_wide(v48);
+    const wide w4_mp = sqrt_wide(v49);
+    const wide w4_mm = sqrt_wide(v50);
     const wide factor4_pp = 1.0 / w4_pp;
     const wide factor4_pm = 1.0 / w4_pm;
     const wide factor4_mp = 1.0 / w4_mp;
     const wide factor4_mm = 1.0 / w4_mm;
-    const wide v67 = X4_pp * factor4_pp;
-    const wide v68 = X4_pm * factor4_pm;
-    const wide v69 = v57 * factor4_mp;
-    const wide v70 = v58 * factor4_mm;
-    const wide v71 = v59 * factor4_pp;
-    const wide v72 = v59 * factor4_pm;
-    const wide v73 = v60 * factor4_mp;
-    const wide v74 = v60 * factor4_mm;
+    const wide v51 = X4_pp * factor4_pp;
+    const wide v52 = X4_pm * factor4_pm;
+    const wide v53 = X4_mp * factor4_mp;
+    const wide v54 = X4_mm * factor4_mm;
+    const wide v55 = v43 * factor4_pp;
+    const wide v56 = v43 * factor4_pm;
+    const wide v57 = v44 * factor4_mp;
+    const wide v58 = v44 * factor4_mm;
 
     /* theta6 */
-    const wide v75 = s1_p * T12 + v6 * T22;
-    const wide v76 = v7 * T22 - v11 * T12;
-    const wide v77 = s1_p * T22 - v6 * T12;
-    const wide v78 = v11 * T22 + v7 * T12;
-    const wide v79 = v6 * T23 + s1_p * T13;
-    const wide v80 = v7 * T23 - v11 * T13;
-    const wide v81 = s1_p * T23 - v6 * T13;
-    const wide v82 = v11 * T23 + v7 * T13;
-    const wide s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33);
-    const wide s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33);
-    const wide s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80;
-    const wide s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80;
-    const wide angle1 = atan2_wide(s6_pp, v71 * (v47 * v77 - v51 * T32) - v67 * v75);
-    const wide angle1_ = atan2_wide(s6_pm, v72 * (v48 * v77 - v52 * T32) - v68 * v75);
-    const wide angle1__ = atan2_wide(s6_mp, v69 * v76 - v73 * (v49 * v78 + v53 * T32));
-    const wide angle1___ = atan2_wide(s6_mm, v70 * v76 - v74 * (v50 * v78 + v54 * T32));
+    const wide v59 = s1_p * T12 + v2 * T22;
+    const wide v60 = s1_m * T12 + v3 * T22;
+    const wide v61 = s1_p * T22 - v2 * T12;
+    const wide v62 = s1_m * T22 - v3 * T12;
+    const wide v63 = v2 * T23 + s1_p * T13;
+    const wide v64 = v3 * T23 + s1_m * T13;
+    const wide v65 = s1_p * T23 - v2 * T13;
+    const wide v66 = s1_m * T23 - v3 * T13;
+    const wide s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33);
+    const wide s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33);
+    const wide s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33);
+    const wide s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33);
+    const wide angle1 = atan2_wide(s6_pp, v55 * (v33 * v61 - v37 * T32) - v51 * v59);
+    const wide angle1_ = atan2_wide(s6_pm, v56 * (v34 * v61 - v38 * T32) - v52 * v59);
+    const wide angle1__ = atan2_wide(s6_mp, v57 * (v35 * v62 - v39 * T32) - v53 * v60);
+    const wide angle1___ = atan2_wide(s6_mm, v58 * (v36 * v62 - v40 * T32) - v54 * v60);
     const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
     const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
     const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
     const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
 
     /* joint values */
-    const wide angle1____ = atan2_wide(S2_pp, -v33);
-    const wide v83 = angle1____ - offset2;
-    const wide angle1_____ = atan2_wide(-v27, -v34);
-    const wide v84 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(S2_mp, -v35);
-    const wide v85 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(-v28, -v36);
-    const wide v86 = angle1_______ - offset2;
-    const wide q2_ppp = v83 - pick_wide(half_turn < v83, all_wide(m4), all_wide(0.0));
-    const wide q2_pmp = v84 - pick_wide(half_turn < v84, all_wide(m4), all_wide(0.0));
-    const wide q2_mpp = v85 - pick_wide(half_turn < v85, all_wide(m4), all_wide(0.0));
-    const wide q2_mmp = v86 - pick_wide(half_turn < v86, all_wide(m4), all_wide(0.0));
-    const wide angle1________ = atan2_wide(v15, -v17);
-    const wide angle1_________ = atan2_wide(v16, -v18);
-    const wide v87 = angle1________ - offset3;
-    const wide v88 = h1 * copysign_wide(all_wide(half_turn), v15) - angle1________ - offset3;
-    const wide v89 = angle1_________ - offset3;
-    const wide v90 = h1 * copysign_wide(all_wide(half_turn), v16) - angle1_________ - offset3;
-    const wide q3_ppp = v87 + pick_wide(v87 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q3_pmp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q3_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q3_mmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(-v59, -X4_pp);
-    const wide angle1___________ = atan2_wide(-v59, -X4_pm);
-    const wide angle1____________ = atan2_wide(-v60, v57);
-    const wide angle1_____________ = atan2_wide(-v60, v58);
-    const wide v91 = h1 * copysign_wide(all_wide(half_turn), -v59);
-    const wide v92 = h1 * copysign_wide(all_wide(half_turn), -v60);
-    const wide v93 = angle1__________ - offset4;
-    const wide v94 = angle1__________ - v91 - offset4;
-    const wide v95 = angle1___________ - offset4;
-    const wide v96 = angle1___________ - v91 - offset4;
-    const wide v97 = angle1____________ - offset4;
-    const wide v98 = angle1____________ - v92 - offset4;
-    const wide v99 = angle1_____________ - offset4;
-    const wide v100 = angle1_____________ - v92 - offset4;
-    const wide q4_ppp = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_ppm = v94 + pick_wide(v94 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pmm = v96 + pick_wide(v96 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpp = v97 + pick_wide(v97 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mpm = v98 + pick_wide(v98 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmp = v99 + pick_wide(v99 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mmm = v100 + pick_wide(v100 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(w4_pp, T31 * v47 + v51 * v55);
-    const wide angle1_______________ = atan2_wide(w4_pm, T31 * v48 + v52 * v55);
-    const wide angle1________________ = atan2_wide(w4_mp, T31 * v49 - v53 * v56);
-    const wide angle1_________________ = atan2_wide(w4_mm, T31 * v50 - v54 * v56);
-    const wide v101 = angle1______________ - offset5;
-    const wide v102 = offset5 + angle1______________;
-    const wide v103 = angle1_______________ - offset5;
-    const wide v104 = offset5 + angle1_______________;
-    const wide v105 = angle1________________ - offset5;
-    const wide v106 = offset5 + angle1________________;
-    const wide v107 = angle1_________________ - offset5;
-    const wide v108 = offset5 + angle1_________________;
-    const wide q5_ppp = v101 + pick_wide(v101 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v102 <= -half_turn, all_wide(m4), all_wide(0.0)) - v102;
-    const wide q5_pmp = v103 + pick_wide(v103 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v104 <= -half_turn, all_wide(m4), all_wide(0.0)) - v104;
-    const wide q5_mpp = v105 + pick_wide(v105 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v106 <= -half_turn, all_wide(m4), all_wide(0.0)) - v106;
-    const wide q5_mmp = v107 + pick_wide(v107 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v108 <= -half_turn, all_wide(m4), all_wide(0.0)) - v108;
-    const wide angle1__________________ = atan2_wide(v9, -v4);
+    const wide angle1____ = atan2_wide(S2_pp, -v20);
+    const wide v67 = angle1____ - offset2;
+    const wide angle1_____ = atan2_wide(-v15, -v21);
+    const wide v68 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(S2_mp, -v22);
+    const wide v69 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(S2_mm, -v23);
+    const wide v70 = angle1_______ - offset2;
+    const wide q2_ppp = v67 - pick_wide(half_turn < v67, all_wide(m7), all_wide(0.0));
+    const wide q2_pmp = v68 - pick_wide(half_turn < v68, all_wide(m7), all_wide(0.0));
+    const wide q2_mpp = v69 - pick_wide(half_turn < v69, all_wide(m7), all_wide(0.0));
+    const wide q2_mmp = v70 - pick_wide(half_turn < v70, all_wide(m7), all_wide(0.0));
+    const wide angle1________ = atan2_wide(s3_p, -v10);
+    const wide angle1_________ = atan2_wide(s3_m, -v11);
+    const wide v71 = angle1________ - offset3;
+    const wide v72 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle1________ - offset3;
+    const wide v73 = angle1_________ - offset3;
+    const wide v74 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle1_________ - offset3;
+    const wide q3_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_mmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(-v43, -X4_pp);
+    const wide angle1___________ = atan2_wide(-v43, -X4_pm);
+    const wide angle1____________ = atan2_wide(-v44, -X4_mp);
+    const wide angle1_____________ = atan2_wide(-v44, -X4_mm);
+    const wide v75 = h1 * copysign_wide(all_wide(half_turn), -v43);
+    const wide v76 = h1 * copysign_wide(all_wide(half_turn), -v44);
+    const wide v77 = angle1__________ - offset4;
+    const wide v78 = angle1__________ - v75 - offset4;
+    const wide v79 = angle1___________ - offset4;
+    const wide v80 = angle1___________ - v75 - offset4;
+    const wide v81 = angle1____________ - offset4;
+    const wide v82 = angle1____________ - v76 - offset4;
+    const wide v83 = angle1_____________ - offset4;
+    const wide v84 = angle1_____________ - v76 - offset4;
+    const wide q4_ppp = v77 + pick_wide(v77 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_ppm = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpp = v81 + pick_wide(v81 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpm = v82 + pick_wide(v82 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmm = v84 + pick_wide(v84 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(w4_pp, T31 * v33 + v37 * v41);
+    const wide angle1_______________ = atan2_wide(w4_pm, T31 * v34 + v38 * v41);
+    const wide angle1________________ = atan2_wide(w4_mp, T31 * v35 + v39 * v42);
+    const wide angle1_________________ = atan2_wide(w4_mm, T31 * v36 + v40 * v42);
+    const wide v85 = angle1______________ - offset5;
+    const wide v86 = offset5 + angle1______________;
+    const wide v87 = angle1_______________ - offset5;
+    const wide v88 = offset5 + angle1_______________;
+    const wide v89 = angle1________________ - offset5;
+    const wide v90 = offset5 + angle1________________;
+    const wide v91 = angle1_________________ - offset5;
+    const wide v92 = offset5 + angle1_________________;
+    const wide q5_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v86 <= -half_turn, all_wide(m7), all_wide(0.0)) - v86;
+    const wide q5_pmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v88 <= -half_turn, all_wide(m7), all_wide(0.0)) - v88;
+    const wide q5_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v90 <= -half_turn, all_wide(m7), all_wide(0.0)) - v90;
+    const wide q5_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v92 <= -half_turn, all_wide(m7), all_wide(0.0)) - v92;
+    const wide angle1__________________ = atan2_wide(s1_p, -v2);
     const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
-    const wide angle1___________________ = atan2_wide(-v10, -v5);
+    const wide angle1___________________ = atan2_wide(s1_m, -v3);
     const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
-    const wide_mask v109 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
+    const wide_mask v93 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
         q3_ppp));
-    const wide_mask v110 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
+    const wide_mask v94 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
         q3_pmp));
-    const wide_mask v111 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
+    const wide_mask v95 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
         q3_mpp));
-    const wide_mask v112 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
+    const wide_mask v96 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
         q3_mmp));
-    const wide_mask outside_ppp = v109 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v109 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v110 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v110 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v111 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v111 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v112 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v112 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt = ((v40 <= m1) | (v66 <= m2)) | (((v39 <= m1) | (v65 <= m2)) | (((v38 <=
-        m1) | (v64 <= m2)) | (((v37 <= m1) | (v63 <= m2)) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) |
-        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)) | (free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))))))));
+    const wide_mask outside_ppp = v93 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v93 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v94 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v94 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v95 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v95 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v96 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v96 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (v50 <= m5) | ((v27 <= m4) | ((v49 <= m5) | ((v26 <= m4) | ((v48 <= m5)
+        | ((v25 <= m4) | ((v47 <= m5) | ((v24 <= m4) | (((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) |
+        (free1 | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart <
+        N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -739,74 +824,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -825,149 +847,102 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v1 = d2 * t14;
-    const double v2 = d2 * Y1;
-    const double v3 = t14 * w1;
-    const four v4 = v2 + e1 * v3;
-    const four v5 = inverse1 * v4;
-    const double v6 = Y1 * w1;
-    const four v7 = e1 * v6 - v1;
-    const four s1 = inverse1 * v7;
+    const double v1 = inverse1 * (d2 * Y1);
+    const four v2 = v1 + w1 * (inverse1 * (e1 * t14));
+    const double v3 = inverse1 * (d2 * t14);
+    const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
-    const four v8 = a1 + e1 * w1;
-    const double v9 = Z1_3 * Z1_3;
-    const four N3 = v9 + v8 * v8;
+    const four v4 = a1 + e1 * w1;
+    const double v5 = Z1_3 * Z1_3;
+    const four N3 = v5 + v4 * v4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v10 = k4 * (N3 - k4);
-    const four s3 = k5 * v10;
-    const four v11 = k4 * w3;
-    const four v12 = k5 * v11;
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0);
+    const double v6 = m2 * v5 + (m2 * N1 - 1.0);
+    const four s3 = v6 + w1 * (m1 * e1);
+    const four v7 = k5 * (k4 * w3);
 
     /* theta2 */
-    const four v13 = d4 * v12;
     const four Y1_2 = a2 + d4 * s3;
-    const four v14 = Z1_3 * Y1_2;
-    const four v15 = v8 * v13;
-    const four S2 = e2 * v15 - v14;
-    const four v16 = v8 * Y1_2;
-    const four v17 = Z1_3 * v13;
-    const four v18 = v16 + e2 * v17;
-    const four v19 = S2 * S2 + v18 * v18;
-    const four factor2 = 1.0 / sqrt_four(v19);
-    const four v20 = v18 * factor2;
+    const four v8 = Z1_3 * Y1_2;
+    const four S2 = w3 * (m3 * (e2 * v4)) - v8;
+    const four v9 = v4 * Y1_2;
+    const four v10 = m3 * (e2 * Z1_3);
+    const four v11 = v9 + w3 * v10;
+    const four v12 = S2 * S2 + v11 * v11;
+    const four factor2 = 1.0 / sqrt_four(v12);
+    const four v13 = v11 * factor2;
     const four s2 = S2 * factor2;
 
     /* theta4 */
-    const four v21 = s3 * s2 - e2 * (v12 * v20);
-    const four v22 = s3 * v20 + e2 * (v12 * s2);
-    const four v23 = T21 * s1 - T11 * v5;
-    const four X4 = v21 * v23 - T31 * v22;
-    const four v24 = T21 * v5 + T11 * s1;
-    const four v25 = v24 * v24;
-    const four v26 = v25 + X4 * X4;
-    const four w4 = sqrt_four(v26);
+    const four v14 = s3 * s2 - e2 * (v7 * v13);
+    const four v15 = s3 * v13 + e2 * (v7 * s2);
+    const four v16 = T21 * s1 - T11 * v2;
+    const four X4 = v14 * v16 - T31 * v15;
+    const four v17 = T21 * v2 + T11 * s1;
+    const four v18 = v17 * v17;
+    const four v19 = v18 + X4 * X4;
+    const four w4 = sqrt_four(v19);
     const four factor4 = 1.0 / w4;
-    const four v27 = X4 * factor4;
-    const four v28 = v24 * factor4;
+    const four v20 = X4 * factor4;
+    const four v21 = v17 * factor4;
 
     /* theta6 */
-    const four v29 = s1 * T12 + v5 * T22;
-    const four v30 = s1 * T22 - v5 * T12;
-    const four v31 = v5 * T23 + s1 * T13;
-    const four v32 = s1 * T23 - v5 * T13;
-    const four s6 = v27 * v31 - v28 * (v21 * v32 - v22 * T33);
+    const four v22 = s1 * T12 + v2 * T22;
+    const four v23 = s1 * T22 - v2 * T12;
+    const four v24 = v2 * T23 + s1 * T13;
+    const four v25 = s1 * T23 - v2 * T13;
+    const four s6 = v20 * v24 - v21 * (v14 * v25 - v15 * T33);
 
     /* joint values */
-    const four v34 = copysign_four(all_four(half_turn), v10);
-    const four v35 = m3 * (1.0 - e2);
-    const four v37 = h1 * copysign_four(all_four(half_turn), -v24);
+    const four v27 = copysign_four(all_four(half_turn), s3);
+    const four v28 = m6 * (1.0 - e2);
+    const four v30 = h1 * copysign_four(all_four(half_turn), -v17);
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v43 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = ((v19 <= m1) | (v26 <= m2)) | v43;
+    const four_mask doubt3 = (v12 <= m4) | (v19 <= m5);
 
-    const four angle1 = atan2_four(s6, v28 * (v21 * v30 - v22 * T32) - v27 * v29);
-    const four angle1_ = atan2_four(S2, -v18);
-    const four angle1___ = atan2_four(-v24, -X4);
-    const four angle1____ = atan2_four(w4, T31 * v21 + v22 * v23);
-    const four packed5 = atan2_four(__builtin_shufflevector(v10, v7, 0, 5, 2, 7),
-        __builtin_shufflevector(-v11, -v4, 0, 5, 2, 7));
+    const four angle1 = atan2_four(s6, v21 * (v14 * v23 - v15 * T32) - v20 * v22);
+    const four angle1_ = atan2_four(S2, -v11);
+    const four angle1___ = atan2_four(-v17, -X4);
+    const four angle1____ = atan2_four(w4, T31 * v14 + v15 * v16);
+    const four packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
+        __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v33 = angle1_ - offset2;
-    const four q2_p = v33 - pick_four(half_turn < v33, all_four(m4), all_four(0.0));
-    const four v36 = e2 * angle1__ + v34 * v35 - offset3;
-    const four q3_p = v36 + pick_four(v36 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v38 = angle1___ - offset4;
-    const four v39 = angle1___ - v37 - offset4;
-    const four q4_p = v38 + pick_four(v38 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q4_m = v39 + pick_four(v39 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v40 = angle1____ - offset5;
-    const four v41 = offset5 + angle1____;
-    const four q5_p = v40 + pick_four(v40 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q5_m = pick_four(-v41 <= -half_turn, all_four(m4), all_four(0.0)) - v41;
+    const four v26 = angle1_ - offset2;
+    const four q2_p = v26 - pick_four(half_turn < v26, all_four(m7), all_four(0.0));
+    const four v29 = e2 * angle1__ + v27 * v28 - offset3;
+    const four q3_p = v29 + pick_four(v29 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v31 = angle1___ - offset4;
+    const four v32 = angle1___ - v30 - offset4;
+    const four q4_p = v31 + pick_four(v31 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q4_m = v32 + pick_four(v32 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v33 = angle1____ - offset5;
+    const four v34 = offset5 + angle1____;
+    const four q5_p = v33 + pick_four(v33 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q5_m = pick_four(-v34 <= -half_turn, all_four(m7), all_four(0.0)) - v34;
     const four q1_p = angle1_____ + (w3 - w3);
-    const four_mask v42 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
-    const four_mask outside_p = v42 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v42 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v35 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
+    const four_mask outside_p = v35 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v35 | ((q5_m < low5) | (high5 < q5_m));
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1);
-    const four_mask kind1 = kind_of(q1_p != q1_p, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    const four_mask kind2 = kind_of(q1_p != q1_p, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * STAUBLI_TX2_90_UNREACHABLE + (outside1 & ~none1) *
+        STAUBLI_TX2_90_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -86,10 +86,13 @@ low3 = -2.530727416391778  # lowest value of joint 3
 high3 = 2.530727416391778  # highest value of joint 3
 low5 = -2.007128640793479  # lowest value of joint 5
 high5 = 2.4434609537920613  # highest value of joint 5
-m1 = 5.4512163266560035e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 0.2768166089965398  # a coefficient of s3
+m2 = 2.768166089965398  # a coefficient of s3
+m3 = 1.1764705882352942  # a coefficient of Y1_2
+m4 = 5.4512163266560035e-48  # free_limit_squared2^2 [m^4]
+m5 = 1e-24  # free_limit^2
+m7 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -533,227 +536,216 @@ def _regular(pose, q, status):
     free1 = N1 <= free_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
-    v1 = d2 * t14
-    v2 = d2 * Y1
-    v3 = t14 * w1
-    v4 = v2 + v3
-    v5 = v2 - v3
-    v6 = inverse1 * v4
-    v7 = inverse1 * v5
-    v8 = Y1 * w1
-    v9 = v8 - v1
-    v10 = v1 + v8
-    s1_p = inverse1 * v9
-    v11 = inverse1 * v10
+    v1 = inverse1 * (d2 * Y1)
+    v2 = v1 + w1 * (t14 * inverse1)
+    v3 = v1 + w1 * (inverse1 * -t14)
+    v4 = inverse1 * (d2 * t14)
+    s1_p = w1 * (Y1 * inverse1) - v4
+    s1_m = w1 * (inverse1 * -Y1) - v4
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T31 - d1
-    v12 = a1 + w1
-    v13 = a1 - w1
-    v14 = Z1_3 * Z1_3
-    N3_p = v14 + v12 * v12
-    N3_m = v14 + v13 * v13
+    v5 = a1 + w1
+    v6 = a1 - w1
+    v7 = Z1_3 * Z1_3
+    N3_p = v7 + v5 * v5
+    N3_m = v7 + v6 * v6
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v15 = k4 * (N3_p - k4)
-    v16 = k4 * (N3_m - k4)
-    s3_p = k5 * v15
-    s3_m = k5 * v16
-    v17 = k4 * w3_p
-    v18 = k4 * w3_m
-    v19 = k5 * v17
-    v20 = k5 * v18
+    v8 = m2 * v7 + (m2 * N1 - 1.0)
+    v9 = m1 * w1
+    s3_p = v8 + v9
+    s3_m = v8 - v9
+    v10 = k5 * (k4 * w3_p)
+    v11 = k5 * (k4 * w3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v21 = d4 * v19
-    v22 = d4 * v20
     Y1_2_p = a2 + d4 * s3_p
     Y1_2_m = a2 + d4 * s3_m
-    v23 = Z1_3 * Y1_2_p
-    v24 = Z1_3 * Y1_2_m
-    v25 = v12 * v21
-    v26 = v13 * v22
-    S2_pp = v25 - v23
-    v27 = v23 + v25
-    S2_mp = v26 - v24
-    v28 = v24 + v26
-    v29 = v12 * Y1_2_p
-    v30 = v13 * Y1_2_m
-    v31 = Z1_3 * v21
-    v32 = Z1_3 * v22
-    v33 = v29 + v31
-    v34 = v29 - v31
-    v35 = v30 + v32
-    v36 = v30 - v32
-    v37 = S2_pp * S2_pp + v33 * v33
-    v38 = v27 * v27 + v34 * v34
-    v39 = S2_mp * S2_mp + v35 * v35
-    v40 = v28 * v28 + v36 * v36
-    factor2_pp = 1.0 / math.sqrt(v37)
-    factor2_pm = 1.0 / math.sqrt(v38)
-    factor2_mp = 1.0 / math.sqrt(v39)
-    factor2_mm = 1.0 / math.sqrt(v40)
-    v41 = v33 * factor2_pp
-    v42 = v34 * factor2_pm
-    v43 = v35 * factor2_mp
-    v44 = v36 * factor2_mm
+    v12 = Z1_3 * Y1_2_p
+    v13 = Z1_3 * Y1_2_m
+    v14 = w3_p * (m3 * v5)
+    S2_pp = v14 - v12
+    v15 = v12 + v14
+    S2_mp = w3_m * (m3 * v6) - v13
+    S2_mm = w3_m * (m3 * -v6) - v13
+    v16 = v5 * Y1_2_p
+    v17 = v6 * Y1_2_m
+    v18 = m3 * Z1_3
+    v19 = m3 * -Z1_3
+    v20 = v16 + w3_p * v18
+    v21 = v16 + w3_p * v19
+    v22 = v17 + w3_m * v18
+    v23 = v17 + w3_m * v19
+    v24 = S2_pp * S2_pp + v20 * v20
+    v25 = v15 * v15 + v21 * v21
+    v26 = S2_mp * S2_mp + v22 * v22
+    v27 = S2_mm * S2_mm + v23 * v23
+    factor2_pp = 1.0 / math.sqrt(v24)
+    factor2_pm = 1.0 / math.sqrt(v25)
+    factor2_mp = 1.0 / math.sqrt(v26)
+    factor2_mm = 1.0 / math.sqrt(v27)
+    v28 = v20 * factor2_pp
+    v29 = v21 * factor2_pm
+    v30 = v22 * factor2_mp
+    v31 = v23 * factor2_mm
     s2_pp = S2_pp * factor2_pp
-    v45 = v27 * factor2_pm
+    v32 = v15 * factor2_pm
     s2_mp = S2_mp * factor2_mp
-    v46 = v28 * factor2_mm
+    s2_mm = S2_mm * factor2_mm
 
     # theta4, type 2: U4[3, 3]
-    v47 = s3_p * s2_pp - v19 * v41
-    v48 = v19 * v42 - s3_p * v45
-    v49 = s3_m * s2_mp - v20 * v43
-    v50 = v20 * v44 - s3_m * v46
-    v51 = s3_p * v41 + v19 * s2_pp
-    v52 = s3_p * v42 + v19 * v45
-    v53 = s3_m * v43 + v20 * s2_mp
-    v54 = s3_m * v44 + v20 * v46
-    v55 = T21 * s1_p - T11 * v6
-    v56 = T21 * v11 + T11 * v7
-    X4_pp = v47 * v55 - T31 * v51
-    X4_pm = v48 * v55 - T31 * v52
-    v57 = v49 * v56 + T31 * v53
-    v58 = v50 * v56 + T31 * v54
-    v59 = T21 * v6 + T11 * s1_p
-    v60 = T21 * v7 - T11 * v11
-    v61 = v59 * v59
-    v62 = v60 * v60
-    v63 = v61 + X4_pp * X4_pp
-    v64 = v61 + X4_pm * X4_pm
-    v65 = v62 + v57 * v57
-    v66 = v62 + v58 * v58
-    w4_pp = math.sqrt(v63)
-    w4_pm = math.sqrt(v64)
-    w4_mp = math.sqrt(v65)
-    w4_mm = math.sqrt(v66)
+    v33 = s3_p * s2_pp - v10 * v28
+    v34 = v10 * v29 - s3_p * v32
+    v35 = s3_m * s2_mp - v11 * v30
+    v36 = s3_m * s2_mm + v11 * v31
+    v37 = s3_p * v28 + v10 * s2_pp
+    v38 = s3_p * v29 + v10 * v32
+    v39 = s3_m * v30 + v11 * s2_mp
+    v40 = s3_m * v31 - v11 * s2_mm
+    v41 = T21 * s1_p - T11 * v2
+    v42 = T21 * s1_m - T11 * v3
+    X4_pp = v33 * v41 - T31 * v37
+    X4_pm = v34 * v41 - T31 * v38
+    X4_mp = v35 * v42 - T31 * v39
+    X4_mm = v36 * v42 - T31 * v40
+    v43 = T21 * v2 + T11 * s1_p
+    v44 = T21 * v3 + T11 * s1_m
+    v45 = v43 * v43
+    v46 = v44 * v44
+    v47 = v45 + X4_pp * X4_pp
+    v48 = v45 + X4_pm * X4_pm
+    v49 = v46 + X4_mp * X4_mp
+    v50 = v46 + X4_mm * X4_mm
+    w4_pp = math.sqrt(v47)
+    w4_pm = math.sqrt(v48)
+    w4_mp = math.sqrt(v49)
+    w4_mm = math.sqrt(v50)
     factor4_pp = 1.0 / w4_pp
     factor4_pm = 1.0 / w4_pm
     factor4_mp = 1.0 / w4_mp
     factor4_mm = 1.0 / w4_mm
-    v67 = X4_pp * factor4_pp
-    v68 = X4_pm * factor4_pm
-    v69 = v57 * factor4_mp
-    v70 = v58 * factor4_mm
-    v71 = v59 * factor4_pp
-    v72 = v59 * factor4_pm
-    v73 = v60 * factor4_mp
-    v74 = v60 * factor4_mm
+    v51 = X4_pp * factor4_pp
+    v52 = X4_pm * factor4_pm
+    v53 = X4_mp * factor4_mp
+    v54 = X4_mm * factor4_mm
+    v55 = v43 * factor4_pp
+    v56 = v43 * factor4_pm
+    v57 = v44 * factor4_mp
+    v58 = v44 * factor4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v75 = s1_p * T12 + v6 * T22
-    v76 = v7 * T22 - v11 * T12
-    v77 = s1_p * T22 - v6 * T12
-    v78 = v11 * T22 + v7 * T12
-    v79 = v6 * T23 + s1_p * T13
-    v80 = v7 * T23 - v11 * T13
-    v81 = s1_p * T23 - v6 * T13
-    v82 = v11 * T23 + v7 * T13
-    s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33)
-    s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33)
-    s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80
-    s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80
-    angle1 = _atan2(s6_pp, v71 * (v47 * v77 - v51 * T32) - v67 * v75)
-    angle1_ = _atan2(s6_pm, v72 * (v48 * v77 - v52 * T32) - v68 * v75)
-    angle1__ = _atan2(s6_mp, v69 * v76 - v73 * (v49 * v78 + v53 * T32))
-    angle1___ = _atan2(s6_mm, v70 * v76 - v74 * (v50 * v78 + v54 * T32))
+    v59 = s1_p * T12 + v2 * T22
+    v60 = s1_m * T12 + v3 * T22
+    v61 = s1_p * T22 - v2 * T12
+    v62 = s1_m * T22 - v3 * T12
+    v63 = v2 * T23 + s1_p * T13
+    v64 = v3 * T23 + s1_m * T13
+    v65 = s1_p * T23 - v2 * T13
+    v66 = s1_m * T23 - v3 * T13
+    s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33)
+    s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33)
+    s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33)
+    s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33)
+    angle1 = _atan2(s6_pp, v55 * (v33 * v61 - v37 * T32) - v51 * v59)
+    angle1_ = _atan2(s6_pm, v56 * (v34 * v61 - v38 * T32) - v52 * v59)
+    angle1__ = _atan2(s6_mp, v57 * (v35 * v62 - v39 * T32) - v53 * v60)
+    angle1___ = _atan2(s6_mm, v58 * (v36 * v62 - v40 * T32) - v54 * v60)
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
     q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
     q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
     q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
-    angle1____ = _atan2(S2_pp, -v33)
-    v83 = angle1____ - offset2
-    angle1_____ = _atan2(-v27, -v34)
-    v84 = angle1_____ - offset2
-    angle1______ = _atan2(S2_mp, -v35)
-    v85 = angle1______ - offset2
-    angle1_______ = _atan2(-v28, -v36)
-    v86 = angle1_______ - offset2
-    q2_ppp = v83 - (m4 if half_turn < v83 else 0.0)
-    q2_pmp = v84 - (m4 if half_turn < v84 else 0.0)
-    q2_mpp = v85 - (m4 if half_turn < v85 else 0.0)
-    q2_mmp = v86 - (m4 if half_turn < v86 else 0.0)
-    angle1________ = _atan2(v15, -v17)
-    angle1_________ = _atan2(v16, -v18)
-    v87 = angle1________ - offset3
-    v88 = h1 * math.copysign(half_turn, v15) - angle1________ - offset3
-    v89 = angle1_________ - offset3
-    v90 = h1 * math.copysign(half_turn, v16) - angle1_________ - offset3
-    q3_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    q3_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    q3_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q3_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
-    angle1__________ = _atan2(-v59, -X4_pp)
-    angle1___________ = _atan2(-v59, -X4_pm)
-    angle1____________ = _atan2(-v60, v57)
-    angle1_____________ = _atan2(-v60, v58)
-    v91 = h1 * math.copysign(half_turn, -v59)
-    v92 = h1 * math.copysign(half_turn, -v60)
-    v93 = angle1__________ - offset4
-    v94 = angle1__________ - v91 - offset4
-    v95 = angle1___________ - offset4
-    v96 = angle1___________ - v91 - offset4
-    v97 = angle1____________ - offset4
-    v98 = angle1____________ - v92 - offset4
-    v99 = angle1_____________ - offset4
-    v100 = angle1_____________ - v92 - offset4
-    q4_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
-    q4_ppm = v94 + (m4 if v94 <= -half_turn else 0.0)
-    q4_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
-    q4_pmm = v96 + (m4 if v96 <= -half_turn else 0.0)
-    q4_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
-    q4_mpm = v98 + (m4 if v98 <= -half_turn else 0.0)
-    q4_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
-    q4_mmm = v100 + (m4 if v100 <= -half_turn else 0.0)
-    angle1______________ = _atan2(w4_pp, T31 * v47 + v51 * v55)
-    angle1_______________ = _atan2(w4_pm, T31 * v48 + v52 * v55)
-    angle1________________ = _atan2(w4_mp, T31 * v49 - v53 * v56)
-    angle1_________________ = _atan2(w4_mm, T31 * v50 - v54 * v56)
-    v101 = angle1______________ - offset5
-    v102 = offset5 + angle1______________
-    v103 = angle1_______________ - offset5
-    v104 = offset5 + angle1_______________
-    v105 = angle1________________ - offset5
-    v106 = offset5 + angle1________________
-    v107 = angle1_________________ - offset5
-    v108 = offset5 + angle1_________________
-    q5_ppp = v101 + (m4 if v101 <= -half_turn else 0.0)
-    q5_ppm = (m4 if -v102 <= -half_turn else 0.0) - v102
-    q5_pmp = v103 + (m4 if v103 <= -half_turn else 0.0)
-    q5_pmm = (m4 if -v104 <= -half_turn else 0.0) - v104
-    q5_mpp = v105 + (m4 if v105 <= -half_turn else 0.0)
-    q5_mpm = (m4 if -v106 <= -half_turn else 0.0) - v106
-    q5_mmp = v107 + (m4 if v107 <= -half_turn else 0.0)
-    q5_mmm = (m4 if -v108 <= -half_turn else 0.0) - v108
-    angle1__________________ = _atan2(v9, -v4)
+    angle1____ = _atan2(S2_pp, -v20)
+    v67 = angle1____ - offset2
+    angle1_____ = _atan2(-v15, -v21)
+    v68 = angle1_____ - offset2
+    angle1______ = _atan2(S2_mp, -v22)
+    v69 = angle1______ - offset2
+    angle1_______ = _atan2(S2_mm, -v23)
+    v70 = angle1_______ - offset2
+    q2_ppp = v67 - (m7 if half_turn < v67 else 0.0)
+    q2_pmp = v68 - (m7 if half_turn < v68 else 0.0)
+    q2_mpp = v69 - (m7 if half_turn < v69 else 0.0)
+    q2_mmp = v70 - (m7 if half_turn < v70 else 0.0)
+    angle1________ = _atan2(s3_p, -v10)
+    angle1_________ = _atan2(s3_m, -v11)
+    v71 = angle1________ - offset3
+    v72 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
+    v73 = angle1_________ - offset3
+    v74 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+    q3_ppp = v71 + (m7 if v71 <= -half_turn else 0.0)
+    q3_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
+    q3_mpp = v73 + (m7 if v73 <= -half_turn else 0.0)
+    q3_mmp = v74 + (m7 if v74 <= -half_turn else 0.0)
+    angle1__________ = _atan2(-v43, -X4_pp)
+    angle1___________ = _atan2(-v43, -X4_pm)
+    angle1____________ = _atan2(-v44, -X4_mp)
+    angle1_____________ = _atan2(-v44, -X4_mm)
+    v75 = h1 * math.copysign(half_turn, -v43)
+    v76 = h1 * math.copysign(half_turn, -v44)
+    v77 = angle1__________ - offset4
+    v78 = angle1__________ - v75 - offset4
+    v79 = angle1___________ - offset4
+    v80 = angle1___________ - v75 - offset4
+    v81 = angle1____________ - offset4
+    v82 = angle1____________ - v76 - offset4
+    v83 = angle1_____________ - offset4
+    v84 = angle1_____________ - v76 - offset4
+    q4_ppp = v77 + (m7 if v77 <= -half_turn else 0.0)
+    q4_ppm = v78 + (m7 if v78 <= -half_turn else 0.0)
+    q4_pmp = v79 + (m7 if v79 <= -half_turn else 0.0)
+    q4_pmm = v80 + (m7 if v80 <= -half_turn else 0.0)
+    q4_mpp = v81 + (m7 if v81 <= -half_turn else 0.0)
+    q4_mpm = v82 + (m7 if v82 <= -half_turn else 0.0)
+    q4_mmp = v83 + (m7 if v83 <= -half_turn else 0.0)
+    q4_mmm = v84 + (m7 if v84 <= -half_turn else 0.0)
+    angle1______________ = _atan2(w4_pp, T31 * v33 + v37 * v41)
+    angle1_______________ = _atan2(w4_pm, T31 * v34 + v38 * v41)
+    angle1________________ = _atan2(w4_mp, T31 * v35 + v39 * v42)
+    angle1_________________ = _atan2(w4_mm, T31 * v36 + v40 * v42)
+    v85 = angle1______________ - offset5
+    v86 = offset5 + angle1______________
+    v87 = angle1_______________ - offset5
+    v88 = offset5 + angle1_______________
+    v89 = angle1________________ - offset5
+    v90 = offset5 + angle1________________
+    v91 = angle1_________________ - offset5
+    v92 = offset5 + angle1_________________
+    q5_ppp = v85 + (m7 if v85 <= -half_turn else 0.0)
+    q5_ppm = (m7 if -v86 <= -half_turn else 0.0) - v86
+    q5_pmp = v87 + (m7 if v87 <= -half_turn else 0.0)
+    q5_pmm = (m7 if -v88 <= -half_turn else 0.0) - v88
+    q5_mpp = v89 + (m7 if v89 <= -half_turn else 0.0)
+    q5_mpm = (m7 if -v90 <= -half_turn else 0.0) - v90
+    q5_mmp = v91 + (m7 if v91 <= -half_turn else 0.0)
+    q5_mmm = (m7 if -v92 <= -half_turn else 0.0) - v92
+    angle1__________________ = _atan2(s1_p, -v2)
     q1_ppp = angle1__________________ + (w3_p - w3_p)
-    angle1___________________ = _atan2(-v10, -v5)
+    angle1___________________ = _atan2(s1_m, -v3)
     q1_mpp = angle1___________________ + (w3_m - w3_m)
-    v109 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-    v110 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-    v111 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-    v112 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-    outside_ppp = v109 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v109 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v110 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v110 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v111 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v111 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v112 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v112 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt = (
-        v40 <= m1 or v66 <= m2 or (v39 <= m1 or v65 <= m2 or (v38 <= m1 or v64 <= m2 or (v37 <= m1
-        or v63 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart) or (free1 or -k2 <= D1 and (free1 or
-        not (k3 < D1))))))))
+    v93 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+    v94 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+    v95 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+    v96 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+    outside_ppp = v93 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v93 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v94 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v94 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v95 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v95 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v96 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v96 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt1 = (
+        v50 <= m5 or (v27 <= m4 or (v49 <= m5 or (v26 <= m4 or (v48 <= m5 or (v25 <= m4 or (v47 <=
+        m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <=
+        N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)
+        or shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
+        N3_m < longest3_apart)))))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1002,194 +994,183 @@ def _in_tiles(T, q, status):
             free1 = N1 <= free_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
-            v1 = d2 * t14
-            v2 = d2 * Y1
-            v3 = t14 * w1
-            v4 = v2 + v3
-            v5 = v2 - v3
-            v6 = inverse1 * v4
-            v7 = inverse1 * v5
-            v8 = Y1 * w1
-            v9 = v8 - v1
-            v10 = v1 + v8
-            s1_p = inverse1 * v9
-            v11 = inverse1 * v10
+            v1 = inverse1 * (d2 * Y1)
+            v2 = v1 + w1 * (t14 * inverse1)
+            v3 = v1 + w1 * (inverse1 * -t14)
+            v4 = inverse1 * (d2 * t14)
+            s1_p = w1 * (Y1 * inverse1) - v4
+            s1_m = w1 * (inverse1 * -Y1) - v4
             Z1_3 = T34 - d6 * T31 - d1
-            v12 = a1 + w1
-            v13 = a1 - w1
-            v14 = Z1_3 * Z1_3
-            N3_p = v14 + v12 * v12
-            N3_m = v14 + v13 * v13
+            v5 = a1 + w1
+            v6 = a1 - w1
+            v7 = Z1_3 * Z1_3
+            N3_p = v7 + v5 * v5
+            N3_m = v7 + v6 * v6
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v15 = k4 * (N3_p - k4)
-            v16 = k4 * (N3_m - k4)
-            s3_p = k5 * v15
-            s3_m = k5 * v16
-            v17 = k4 * w3_p
-            v18 = k4 * w3_m
-            v19 = k5 * v17
-            v20 = k5 * v18
-            v21 = d4 * v19
-            v22 = d4 * v20
+            v8 = m2 * v7 + (m2 * N1 - 1.0)
+            v9 = m1 * w1
+            s3_p = v8 + v9
+            s3_m = v8 - v9
+            v10 = k5 * (k4 * w3_p)
+            v11 = k5 * (k4 * w3_m)
             Y1_2_p = a2 + d4 * s3_p
             Y1_2_m = a2 + d4 * s3_m
-            v23 = Z1_3 * Y1_2_p
-            v24 = Z1_3 * Y1_2_m
-            v25 = v12 * v21
-            v26 = v13 * v22
-            S2_pp = v25 - v23
-            v27 = v23 + v25
-            S2_mp = v26 - v24
-            v28 = v24 + v26
-            v29 = v12 * Y1_2_p
-            v30 = v13 * Y1_2_m
-            v31 = Z1_3 * v21
-            v32 = Z1_3 * v22
-            v33 = v29 + v31
-            v34 = v29 - v31
-            v35 = v30 + v32
-            v36 = v30 - v32
-            v37 = S2_pp * S2_pp + v33 * v33
-            v38 = v27 * v27 + v34 * v34
-            v39 = S2_mp * S2_mp + v35 * v35
-            v40 = v28 * v28 + v36 * v36
-            factor2_pp = 1.0 / math.sqrt(v37)
-            factor2_pm = 1.0 / math.sqrt(v38)
-            factor2_mp = 1.0 / math.sqrt(v39)
-            factor2_mm = 1.0 / math.sqrt(v40)
-            v41 = v33 * factor2_pp
-            v42 = v34 * factor2_pm
-            v43 = v35 * factor2_mp
-            v44 = v36 * factor2_mm
+            v12 = Z1_3 * Y1_2_p
+            v13 = Z1_3 * Y1_2_m
+            v14 = w3_p * (m3 * v5)
+            S2_pp = v14 - v12
+            v15 = v12 + v14
+            S2_mp = w3_m * (m3 * v6) - v13
+            S2_mm = w3_m * (m3 * -v6) - v13
+            v16 = v5 * Y1_2_p
+            v17 = v6 * Y1_2_m
+            v18 = m3 * Z1_3
+            v19 = m3 * -Z1_3
+            v20 = v16 + w3_p * v18
+            v21 = v16 + w3_p * v19
+            v22 = v17 + w3_m * v18
+            v23 = v17 + w3_m * v19
+            v24 = S2_pp * S2_pp + v20 * v20
+            v25 = v15 * v15 + v21 * v21
+            v26 = S2_mp * S2_mp + v22 * v22
+            v27 = S2_mm * S2_mm + v23 * v23
+            factor2_pp = 1.0 / math.sqrt(v24)
+            factor2_pm = 1.0 / math.sqrt(v25)
+            factor2_mp = 1.0 / math.sqrt(v26)
+            factor2_mm = 1.0 / math.sqrt(v27)
+            v28 = v20 * factor2_pp
+            v29 = v21 * factor2_pm
+            v30 = v22 * factor2_mp
+            v31 = v23 * factor2_mm
             s2_pp = S2_pp * factor2_pp
-            v45 = v27 * factor2_pm
+            v32 = v15 * factor2_pm
             s2_mp = S2_mp * factor2_mp
-            v46 = v28 * factor2_mm
-            v47 = s3_p * s2_pp - v19 * v41
-            v48 = v19 * v42 - s3_p * v45
-            v49 = s3_m * s2_mp - v20 * v43
-            v50 = v20 * v44 - s3_m * v46
-            v51 = s3_p * v41 + v19 * s2_pp
-            v52 = s3_p * v42 + v19 * v45
-            v53 = s3_m * v43 + v20 * s2_mp
-            v54 = s3_m * v44 + v20 * v46
-            v55 = T21 * s1_p - T11 * v6
-            v56 = T21 * v11 + T11 * v7
-            X4_pp = v47 * v55 - T31 * v51
-            X4_pm = v48 * v55 - T31 * v52
-            v57 = v49 * v56 + T31 * v53
-            v58 = v50 * v56 + T31 * v54
-            v59 = T21 * v6 + T11 * s1_p
-            v60 = T21 * v7 - T11 * v11
-            v61 = v59 * v59
-            v62 = v60 * v60
-            v63 = v61 + X4_pp * X4_pp
-            v64 = v61 + X4_pm * X4_pm
-            v65 = v62 + v57 * v57
-            v66 = v62 + v58 * v58
-            w4_pp = math.sqrt(v63)
-            w4_pm = math.sqrt(v64)
-            w4_mp = math.sqrt(v65)
-            w4_mm = math.sqrt(v66)
+            s2_mm = S2_mm * factor2_mm
+            v33 = s3_p * s2_pp - v10 * v28
+            v34 = v10 * v29 - s3_p * v32
+            v35 = s3_m * s2_mp - v11 * v30
+            v36 = s3_m * s2_mm + v11 * v31
+            v37 = s3_p * v28 + v10 * s2_pp
+            v38 = s3_p * v29 + v10 * v32
+            v39 = s3_m * v30 + v11 * s2_mp
+            v40 = s3_m * v31 - v11 * s2_mm
+            v41 = T21 * s1_p - T11 * v2
+            v42 = T21 * s1_m - T11 * v3
+            X4_pp = v33 * v41 - T31 * v37
+            X4_pm = v34 * v41 - T31 * v38
+            X4_mp = v35 * v42 - T31 * v39
+            X4_mm = v36 * v42 - T31 * v40
+            v43 = T21 * v2 + T11 * s1_p
+            v44 = T21 * v3 + T11 * s1_m
+            v45 = v43 * v43
+            v46 = v44 * v44
+            v47 = v45 + X4_pp * X4_pp
+            v48 = v45 + X4_pm * X4_pm
+            v49 = v46 + X4_mp * X4_mp
+            v50 = v46 + X4_mm * X4_mm
+            w4_pp = math.sqrt(v47)
+            w4_pm = math.sqrt(v48)
+            w4_mp = math.sqrt(v49)
+            w4_mm = math.sqrt(v50)
             factor4_pp = 1.0 / w4_pp
             factor4_pm = 1.0 / w4_pm
             factor4_mp = 1.0 / w4_mp
             factor4_mm = 1.0 / w4_mm
-            v67 = X4_pp * factor4_pp
-            v68 = X4_pm * factor4_pm
-            v69 = v57 * factor4_mp
-            v70 = v58 * factor4_mm
-            v71 = v59 * factor4_pp
-            v72 = v59 * factor4_pm
-            v73 = v60 * factor4_mp
-            v74 = v60 * factor4_mm
-            v75 = s1_p * T12 + v6 * T22
-            v76 = v7 * T22 - v11 * T12
-            v77 = s1_p * T22 - v6 * T12
-            v78 = v11 * T22 + v7 * T12
-            v79 = v6 * T23 + s1_p * T13
-            v80 = v7 * T23 - v11 * T13
-            v81 = s1_p * T23 - v6 * T13
-            v82 = v11 * T23 + v7 * T13
-            s6_pp = v67 * v79 - v71 * (v47 * v81 - v51 * T33)
-            s6_pm = v68 * v79 - v72 * (v48 * v81 - v52 * T33)
-            s6_mp = v73 * (v49 * v82 + v53 * T33) - v69 * v80
-            s6_mm = v74 * (v50 * v82 + v54 * T33) - v70 * v80
-            v91 = h1 * math.copysign(half_turn, -v59)
-            v92 = h1 * math.copysign(half_turn, -v60)
-            doubt = (
-                v40 <= m1 or v66 <= m2 or (v39 <= m1 or v65 <= m2 or (v38 <= m1 or v64 <= m2 or (v37
-                <= m1 or v63 <= m2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (shortest3_reach <= N3_p and
-                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart) or
-                (free1 or -k2 <= D1 and (free1 or not (k3 < D1))))))))
+            v51 = X4_pp * factor4_pp
+            v52 = X4_pm * factor4_pm
+            v53 = X4_mp * factor4_mp
+            v54 = X4_mm * factor4_mm
+            v55 = v43 * factor4_pp
+            v56 = v43 * factor4_pm
+            v57 = v44 * factor4_mp
+            v58 = v44 * factor4_mm
+            v59 = s1_p * T12 + v2 * T22
+            v60 = s1_m * T12 + v3 * T22
+            v61 = s1_p * T22 - v2 * T12
+            v62 = s1_m * T22 - v3 * T12
+            v63 = v2 * T23 + s1_p * T13
+            v64 = v3 * T23 + s1_m * T13
+            v65 = s1_p * T23 - v2 * T13
+            v66 = s1_m * T23 - v3 * T13
+            s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33)
+            s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33)
+            s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33)
+            s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33)
+            v75 = h1 * math.copysign(half_turn, -v43)
+            v76 = h1 * math.copysign(half_turn, -v44)
+            doubt1 = (
+                v50 <= m5 or (v27 <= m4 or (v49 <= m5 or (v26 <= m4 or (v48 <= m5 or (v25 <= m4 or
+                (v47 <= m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or
+                (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
+                and N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and
+                not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))))
             )
             work[544 + k] = w3_p
             work[576 + k] = w3_m
-            work[608 + k] = v15
-            work[640 + k] = v16
+            work[608 + k] = s3_p
+            work[640 + k] = s3_m
             work[672 + k] = s6_pp
             work[704 + k] = s6_pm
             work[736 + k] = s6_mp
             work[768 + k] = s6_mm
-            work[800 + k] = v91
-            work[832 + k] = v92
-            work[864 + k] = doubt
+            work[800 + k] = v75
+            work[832 + k] = v76
+            work[864 + k] = doubt1
             work[896 + k] = s6_pp
             work[928 + k] = s6_pm
             work[960 + k] = s6_mp
             work[992 + k] = s6_mm
             work[1024 + k] = S2_pp
-            work[1056 + k] = -v27
+            work[1056 + k] = -v15
             work[1088 + k] = S2_mp
-            work[1120 + k] = -v28
-            work[1152 + k] = v15
-            work[1184 + k] = v16
-            work[1216 + k] = -v59
-            work[1248 + k] = -v59
-            work[1280 + k] = -v60
-            work[1312 + k] = -v60
+            work[1120 + k] = S2_mm
+            work[1152 + k] = s3_p
+            work[1184 + k] = s3_m
+            work[1216 + k] = -v43
+            work[1248 + k] = -v43
+            work[1280 + k] = -v44
+            work[1312 + k] = -v44
             work[1344 + k] = w4_pp
             work[1376 + k] = w4_pm
             work[1408 + k] = w4_mp
             work[1440 + k] = w4_mm
-            work[1472 + k] = v9
-            work[1504 + k] = -v10
-            work[1536 + k] = v71 * (v47 * v77 - v51 * T32) - v67 * v75
-            work[1568 + k] = v72 * (v48 * v77 - v52 * T32) - v68 * v75
-            work[1600 + k] = v69 * v76 - v73 * (v49 * v78 + v53 * T32)
-            work[1632 + k] = v70 * v76 - v74 * (v50 * v78 + v54 * T32)
-            work[1664 + k] = -v33
-            work[1696 + k] = -v34
-            work[1728 + k] = -v35
-            work[1760 + k] = -v36
-            work[1792 + k] = -v17
-            work[1824 + k] = -v18
+            work[1472 + k] = s1_p
+            work[1504 + k] = s1_m
+            work[1536 + k] = v55 * (v33 * v61 - v37 * T32) - v51 * v59
+            work[1568 + k] = v56 * (v34 * v61 - v38 * T32) - v52 * v59
+            work[1600 + k] = v57 * (v35 * v62 - v39 * T32) - v53 * v60
+            work[1632 + k] = v58 * (v36 * v62 - v40 * T32) - v54 * v60
+            work[1664 + k] = -v20
+            work[1696 + k] = -v21
+            work[1728 + k] = -v22
+            work[1760 + k] = -v23
+            work[1792 + k] = -v10
+            work[1824 + k] = -v11
             work[1856 + k] = -X4_pp
             work[1888 + k] = -X4_pm
-            work[1920 + k] = v57
-            work[1952 + k] = v58
-            work[1984 + k] = T31 * v47 + v51 * v55
-            work[2016 + k] = T31 * v48 + v52 * v55
-            work[2048 + k] = T31 * v49 - v53 * v56
-            work[2080 + k] = T31 * v50 - v54 * v56
-            work[2112 + k] = -v4
-            work[2144 + k] = -v5
+            work[1920 + k] = -X4_mp
+            work[1952 + k] = -X4_mm
+            work[1984 + k] = T31 * v33 + v37 * v41
+            work[2016 + k] = T31 * v34 + v38 * v41
+            work[2048 + k] = T31 * v35 + v39 * v42
+            work[2080 + k] = T31 * v36 + v40 * v42
+            work[2112 + k] = -v2
+            work[2144 + k] = -v3
         for k in range(896, 1536):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             w3_p = work[544 + k]
             w3_m = work[576 + k]
-            v15 = work[608 + k]
-            v16 = work[640 + k]
+            s3_p = work[608 + k]
+            s3_m = work[640 + k]
             s6_pp = work[672 + k]
             s6_pm = work[704 + k]
             s6_mp = work[736 + k]
             s6_mm = work[768 + k]
-            v91 = work[800 + k]
-            v92 = work[832 + k]
-            doubt = work[864 + k] != 0.0
+            v75 = work[800 + k]
+            v76 = work[832 + k]
+            doubt1 = work[864 + k] != 0.0
             angle1 = work[896 + k]
             angle1_ = work[928 + k]
             angle1__ = work[960 + k]
@@ -1214,68 +1195,68 @@ def _in_tiles(T, q, status):
             q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
             q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
             q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v83 = angle1____ - offset2
-            v84 = angle1_____ - offset2
-            v85 = angle1______ - offset2
-            v86 = angle1_______ - offset2
-            q2_ppp = v83 - (m4 if half_turn < v83 else 0.0)
-            q2_pmp = v84 - (m4 if half_turn < v84 else 0.0)
-            q2_mpp = v85 - (m4 if half_turn < v85 else 0.0)
-            q2_mmp = v86 - (m4 if half_turn < v86 else 0.0)
-            v87 = angle1________ - offset3
-            v88 = h1 * math.copysign(half_turn, v15) - angle1________ - offset3
-            v89 = angle1_________ - offset3
-            v90 = h1 * math.copysign(half_turn, v16) - angle1_________ - offset3
-            q3_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            q3_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            q3_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q3_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
-            v93 = angle1__________ - offset4
-            v94 = angle1__________ - v91 - offset4
-            v95 = angle1___________ - offset4
-            v96 = angle1___________ - v91 - offset4
-            v97 = angle1____________ - offset4
-            v98 = angle1____________ - v92 - offset4
-            v99 = angle1_____________ - offset4
-            v100 = angle1_____________ - v92 - offset4
-            q4_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
-            q4_ppm = v94 + (m4 if v94 <= -half_turn else 0.0)
-            q4_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
-            q4_pmm = v96 + (m4 if v96 <= -half_turn else 0.0)
-            q4_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
-            q4_mpm = v98 + (m4 if v98 <= -half_turn else 0.0)
-            q4_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
-            q4_mmm = v100 + (m4 if v100 <= -half_turn else 0.0)
-            v101 = angle1______________ - offset5
-            v102 = offset5 + angle1______________
-            v103 = angle1_______________ - offset5
-            v104 = offset5 + angle1_______________
-            v105 = angle1________________ - offset5
-            v106 = offset5 + angle1________________
-            v107 = angle1_________________ - offset5
-            v108 = offset5 + angle1_________________
-            q5_ppp = v101 + (m4 if v101 <= -half_turn else 0.0)
-            q5_ppm = (m4 if -v102 <= -half_turn else 0.0) - v102
-            q5_pmp = v103 + (m4 if v103 <= -half_turn else 0.0)
-            q5_pmm = (m4 if -v104 <= -half_turn else 0.0) - v104
-            q5_mpp = v105 + (m4 if v105 <= -half_turn else 0.0)
-            q5_mpm = (m4 if -v106 <= -half_turn else 0.0) - v106
-            q5_mmp = v107 + (m4 if v107 <= -half_turn else 0.0)
-            q5_mmm = (m4 if -v108 <= -half_turn else 0.0) - v108
+            v67 = angle1____ - offset2
+            v68 = angle1_____ - offset2
+            v69 = angle1______ - offset2
+            v70 = angle1_______ - offset2
+            q2_ppp = v67 - (m7 if half_turn < v67 else 0.0)
+            q2_pmp = v68 - (m7 if half_turn < v68 else 0.0)
+            q2_mpp = v69 - (m7 if half_turn < v69 else 0.0)
+            q2_mmp = v70 - (m7 if half_turn < v70 else 0.0)
+            v71 = angle1________ - offset3
+            v72 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
+            v73 = angle1_________ - offset3
+            v74 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+            q3_ppp = v71 + (m7 if v71 <= -half_turn else 0.0)
+            q3_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
+            q3_mpp = v73 + (m7 if v73 <= -half_turn else 0.0)
+            q3_mmp = v74 + (m7 if v74 <= -half_turn else 0.0)
+            v77 = angle1__________ - offset4
+            v78 = angle1__________ - v75 - offset4
+            v79 = angle1___________ - offset4
+            v80 = angle1___________ - v75 - offset4
+            v81 = angle1____________ - offset4
+            v82 = angle1____________ - v76 - offset4
+            v83 = angle1_____________ - offset4
+            v84 = angle1_____________ - v76 - offset4
+            q4_ppp = v77 + (m7 if v77 <= -half_turn else 0.0)
+            q4_ppm = v78 + (m7 if v78 <= -half_turn else 0.0)
+            q4_pmp = v79 + (m7 if v79 <= -half_turn else 0.0)
+            q4_pmm = v80 + (m7 if v80 <= -half_turn else 0.0)
+            q4_mpp = v81 + (m7 if v81 <= -half_turn else 0.0)
+            q4_mpm = v82 + (m7 if v82 <= -half_turn else 0.0)
+            q4_mmp = v83 + (m7 if v83 <= -half_turn else 0.0)
+            q4_mmm = v84 + (m7 if v84 <= -half_turn else 0.0)
+            v85 = angle1______________ - offset5
+            v86 = offset5 + angle1______________
+            v87 = angle1_______________ - offset5
+            v88 = offset5 + angle1_______________
+            v89 = angle1________________ - offset5
+            v90 = offset5 + angle1________________
+            v91 = angle1_________________ - offset5
+            v92 = offset5 + angle1_________________
+            q5_ppp = v85 + (m7 if v85 <= -half_turn else 0.0)
+            q5_ppm = (m7 if -v86 <= -half_turn else 0.0) - v86
+            q5_pmp = v87 + (m7 if v87 <= -half_turn else 0.0)
+            q5_pmm = (m7 if -v88 <= -half_turn else 0.0) - v88
+            q5_mpp = v89 + (m7 if v89 <= -half_turn else 0.0)
+            q5_mpm = (m7 if -v90 <= -half_turn else 0.0) - v90
+            q5_mmp = v91 + (m7 if v91 <= -half_turn else 0.0)
+            q5_mmm = (m7 if -v92 <= -half_turn else 0.0) - v92
             q1_ppp = angle1__________________ + (w3_p - w3_p)
             q1_mpp = angle1___________________ + (w3_m - w3_m)
-            v109 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-            v110 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-            v111 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-            v112 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-            outside_ppp = v109 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v109 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v110 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v110 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v111 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v111 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v112 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v112 or (q5_mmm < low5 or high5 < q5_mmm)
+            v93 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+            v94 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+            v95 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+            v96 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+            outside_ppp = v93 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v93 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v94 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v94 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v95 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v95 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v96 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v96 or (q5_mmm < low5 or high5 < q5_mmm)
             _2176 = q1_ppp
             work[2176 + k] = _2176
             _2208 = q2_ppp
@@ -1368,7 +1349,7 @@ def _in_tiles(T, q, status):
             work[3488 + k] = (
                 UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

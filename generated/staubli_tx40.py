@@ -80,10 +80,13 @@ k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 5.7289761000000026e-49  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 2.2222222222222223  # a coefficient of S2
+m2 = 5.7289761000000026e-49  # free_limit_squared2^2 [m^4]
+m3 = 21.947873799725652  # a coefficient of v9
+m4 = 4.4444444444444455  # a coefficient of s23
+m5 = 1e-24  # free_limit^2
+m7 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -532,122 +535,120 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = d3 * X1
-    v3 = d3 * wy
-    v4 = X1 * w1
-    v5 = v3 + v4
-    v6 = v3 - v4
-    v7 = inverse1 * v5
-    v8 = inverse1 * v6
-    v9 = wy * w1
-    v10 = v9 - v2
-    v11 = v2 + v9
-    s1_p = inverse1 * v10
-    v12 = inverse1 * v11
+    v2 = inverse1 * (d3 * wy)
+    v3 = v2 + w1 * (X1 * inverse1)
+    v4 = v2 + w1 * (inverse1 * -X1)
+    v5 = inverse1 * (d3 * X1)
+    s1_p = w1 * (wy * inverse1) - v5
+    s1_m = w1 * (inverse1 * -wy) - v5
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
     N3 = D1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v13 = w3 - w3
-    v14 = k4 * (N3 - k4)
-    s3 = k5 * v14
-    v15 = k4 * w3
-    v16 = k5 * v15
+    v6 = w3 - w3
+    v7 = k4 * (N3 - k4)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    X1_2 = a2 + d4 * s3
-    Y1_2 = d4 * v16
-    v17 = Z1_3 * X1_2
-    v18 = w1 * Y1_2
-    S2_pp = v17 - v18
-    S2_pm = v17 + v18
-    v19 = w1 * X1_2
-    v20 = Z1_3 * Y1_2
-    C2_pp = v19 + v20
-    C2_pm = v19 - v20
-    v21 = S2_pp * S2_pp + C2_pp * C2_pp
-    v22 = S2_pm * S2_pm
-    v23 = v22 + C2_pm * C2_pm
-    v24 = v22 + -C2_pm * -C2_pm
-    factor2_pp = 1.0 / math.sqrt(v21)
-    factor2_pm = 1.0 / math.sqrt(v23)
-    factor2_mp = 1.0 / math.sqrt(v24)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = -C2_pm * factor2_mp
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_pm * factor2_mp
+    v8 = m1 * (Z1_3 * N3)
+    v9 = w3 * (m1 * w1)
+    S2_pp = v8 - v9
+    S2_pm = v8 + v9
+    v10 = w3 * (m1 * Z1_3)
+    v11 = w3 * (m1 * -Z1_3)
+    v12 = m1 * (w1 * N3)
+    C2_pp = v10 + v12
+    C2_pm = v11 + v12
+    C2_mp = v10 - v12
+    C2_mm = v11 - v12
+    v13 = S2_pp * S2_pp
+    v14 = v13 + C2_pp * C2_pp
+    v15 = S2_pm * S2_pm
+    v16 = v15 + C2_pm * C2_pm
+    v17 = v15 + C2_mp * C2_mp
+    v18 = v13 + C2_mm * C2_mm
+    factor2_pp = 1.0 / math.sqrt(v14)
+    factor2_pm = 1.0 / math.sqrt(v16)
+    factor2_mp = 1.0 / math.sqrt(v17)
+    factor2_mm = 1.0 / math.sqrt(v18)
 
     # theta4, type 2: U4[3, 3]
-    v25 = s3 * s2_pp + v16 * c2_pp
-    v26 = s3 * s2_pm - v16 * c2_pm
-    v27 = s3 * s2_mp + v16 * c2_mp
-    s23_pp = s3 * c2_pp - v16 * s2_pp
-    s23_pm = s3 * c2_pm + v16 * s2_pm
-    s23_mp = s3 * c2_mp - v16 * s2_mp
-    v28 = T23 * s1_p - T13 * v7
-    v29 = T23 * v12 + T13 * v8
-    X4_pp = v25 * v28 - T33 * s23_pp
-    X4_pm = v26 * v28 - T33 * s23_pm
-    v30 = v27 * v29 + T33 * s23_mp
-    v31 = v25 * v29 + T33 * -s23_pp
-    Y4_p = T13 * s1_p + T23 * v7
-    Y4_m = T23 * v8 - T13 * v12
+    v19 = S2_pm * factor2_pp
+    v20 = S2_pp * factor2_pm
+    v21 = S2_pp * factor2_mp
+    v22 = S2_pm * factor2_mm
+    v23 = m3 * N3
+    v24 = v23 - m1
+    v25 = m4 - v23
+    v26 = m1 * (Z1_3 * w3)
+    v27 = m1 * (w3 * -Z1_3)
+    v28 = w1 * (N3 * (v24 + v25))
+    s23_pp = factor2_pp * (v28 - v26)
+    s23_pm = factor2_pm * (v28 - v27)
+    v29 = w1 * (N3 * (-v24 + -v25))
+    s23_mp = factor2_mp * (v29 - v26)
+    s23_mm = factor2_mm * (v29 - v27)
+    v30 = T23 * s1_p - T13 * v3
+    v31 = T23 * s1_m - T13 * v4
+    X4_pp = v19 * v30 - T33 * s23_pp
+    X4_pm = v20 * v30 - T33 * s23_pm
+    X4_mp = v21 * v31 - T33 * s23_mp
+    X4_mm = v22 * v31 - T33 * s23_mm
+    Y4_p = T13 * s1_p + T23 * v3
+    Y4_m = T13 * s1_m + T23 * v4
     v32 = Y4_p * Y4_p
     v33 = Y4_m * Y4_m
     v34 = v32 + X4_pp * X4_pp
     v35 = v32 + X4_pm * X4_pm
-    v36 = v33 + v30 * v30
-    v37 = v33 + v31 * v31
+    v36 = v33 + X4_mp * X4_mp
+    v37 = v33 + X4_mm * X4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v38 = v7 * T22 + s1_p * T12
-    v39 = v8 * T22 - v12 * T12
-    v40 = s1_p * T22 - v7 * T12
-    v41 = v12 * T22 + v8 * T12
-    v42 = v7 * T21 + s1_p * T11
-    v43 = v8 * T21 - v12 * T11
-    v44 = s1_p * T21 - v7 * T11
-    v45 = v12 * T21 + v8 * T11
-    s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
-    s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
-    s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
-    s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
-    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp)
-    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm)
-    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39)
-    angle1___ = _atan2(s6_mm, Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39)
+    v38 = v3 * T22 + s1_p * T12
+    v39 = v4 * T22 + s1_m * T12
+    v40 = s1_p * T22 - v3 * T12
+    v41 = s1_m * T22 - v4 * T12
+    v42 = v3 * T21 + s1_p * T11
+    v43 = v4 * T21 + s1_m * T11
+    v44 = s1_p * T21 - v3 * T11
+    v45 = s1_m * T21 - v4 * T11
+    s6_pp = Y4_p * (s23_pp * T31 - v19 * v44) - v42 * -X4_pp
+    s6_pm = Y4_p * (s23_pm * T31 - v20 * v44) - v42 * -X4_pm
+    s6_mp = Y4_m * (s23_mp * T31 - v21 * v45) - v43 * -X4_mp
+    s6_mm = Y4_m * (s23_mm * T31 - v22 * v45) - v43 * -X4_mm
+    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v19 * v40) - v38 * -X4_pp)
+    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v20 * v40) - v38 * -X4_pm)
+    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - v21 * v41) - v39 * -X4_mp)
+    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - v22 * v41) - v39 * -X4_mm)
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
     q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
     q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
     q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
-    angle1____ = _atan2(v10, -v5)
+    angle1____ = _atan2(s1_p, -v3)
     v46 = angle1____ - offset1
-    angle1_____ = _atan2(-v11, -v6)
+    angle1_____ = _atan2(s1_m, -v4)
     v47 = angle1_____ - offset1
     angle1______ = _atan2(S2_pp, C2_pp)
     v48 = angle1______ - offset2
     angle1_______ = _atan2(S2_pm, C2_pm)
     v49 = angle1_______ - offset2
-    angle1________ = _atan2(S2_pm, -C2_pm)
+    angle1________ = _atan2(S2_pm, C2_mp)
     v50 = angle1________ - offset2
-    angle1_________ = _atan2(S2_pp, -C2_pp)
+    angle1_________ = _atan2(S2_pp, C2_mm)
     v51 = angle1_________ - offset2
-    q2_ppp = v48 + (m4 if v48 <= -half_turn else 0.0)
-    q2_pmp = v49 + (m4 if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (m4 if v50 <= -half_turn else 0.0)
-    q2_mmp = v51 + (m4 if v51 <= -half_turn else 0.0)
-    angle1__________ = _atan2(v14, -v15)
+    q2_ppp = v48 + (m7 if v48 <= -half_turn else 0.0)
+    q2_pmp = v49 + (m7 if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (m7 if v50 <= -half_turn else 0.0)
+    q2_mmp = v51 + (m7 if v51 <= -half_turn else 0.0)
+    angle1__________ = _atan2(v7, -(k4 * w3))
     v52 = angle1__________ - offset3
-    v53 = h1 * math.copysign(half_turn, v14) - angle1__________ - offset3
+    v53 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
     angle1___________ = _atan2(Y4_p, -X4_pp)
     angle1____________ = _atan2(Y4_p, -X4_pm)
-    angle1_____________ = _atan2(Y4_m, v30)
-    angle1______________ = _atan2(Y4_m, v31)
+    angle1_____________ = _atan2(Y4_m, -X4_mp)
+    angle1______________ = _atan2(Y4_m, -X4_mm)
     v54 = h1 * math.copysign(half_turn, Y4_p)
     v55 = h1 * math.copysign(half_turn, Y4_m)
     v56 = angle1___________ - offset4
@@ -658,47 +659,45 @@ def _regular(pose, q, status):
     v61 = angle1_____________ - v55 - offset4
     v62 = angle1______________ - offset4
     v63 = angle1______________ - v55 - offset4
-    q4_ppp = v56 + (m4 if v56 <= -half_turn else 0.0)
-    q4_ppm = v57 + (m4 if v57 <= -half_turn else 0.0)
-    q4_pmp = v58 + (m4 if v58 <= -half_turn else 0.0)
-    q4_pmm = v59 + (m4 if v59 <= -half_turn else 0.0)
-    q4_mpp = v60 + (m4 if v60 <= -half_turn else 0.0)
-    q4_mpm = v61 + (m4 if v61 <= -half_turn else 0.0)
-    q4_mmp = v62 + (m4 if v62 <= -half_turn else 0.0)
-    q4_mmm = v63 + (m4 if v63 <= -half_turn else 0.0)
-    v64 = T33 * v25
-    angle1_______________ = _atan2(math.sqrt(v34), -(v64 + s23_pp * v28))
-    angle1________________ = _atan2(math.sqrt(v35), -(T33 * v26 + s23_pm * v28))
-    angle1_________________ = _atan2(math.sqrt(v36), s23_mp * v29 - T33 * v27)
-    angle1__________________ = _atan2(math.sqrt(v37), -s23_pp * v29 - v64)
-    v65 = angle1_______________ - offset5
-    v66 = offset5 + angle1_______________
-    v67 = angle1________________ - offset5
-    v68 = offset5 + angle1________________
-    v69 = angle1_________________ - offset5
-    v70 = offset5 + angle1_________________
-    v71 = angle1__________________ - offset5
-    v72 = offset5 + angle1__________________
-    q5_ppp = v65 + (m4 if v65 <= -half_turn else 0.0)
-    q5_ppm = (m4 if -v66 <= -half_turn else 0.0) - v66
-    q5_pmp = v67 + (m4 if v67 <= -half_turn else 0.0)
-    q5_pmm = (m4 if -v68 <= -half_turn else 0.0) - v68
-    q5_mpp = v69 + (m4 if v69 <= -half_turn else 0.0)
-    q5_mpm = (m4 if -v70 <= -half_turn else 0.0) - v70
-    q5_mmp = v71 + (m4 if v71 <= -half_turn else 0.0)
-    q5_mmm = (m4 if -v72 <= -half_turn else 0.0) - v72
-    q1_ppp = v13 + (v46 + (m4 if v46 <= -half_turn else 0.0))
-    q1_mpp = v13 + (v47 + (m4 if v47 <= -half_turn else 0.0))
-    q3_ppp = v1 + (v52 + (m4 if v52 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v53 + (m4 if v53 <= -half_turn else 0.0))
-    v73 = v21 <= m1
-    doubt = (
-        v73 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or (shortest3_reach
-        <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or
-        (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v73 or v34 <= m2))))
+    q4_ppp = v56 + (m7 if v56 <= -half_turn else 0.0)
+    q4_ppm = v57 + (m7 if v57 <= -half_turn else 0.0)
+    q4_pmp = v58 + (m7 if v58 <= -half_turn else 0.0)
+    q4_pmm = v59 + (m7 if v59 <= -half_turn else 0.0)
+    q4_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
+    q4_mpm = v61 + (m7 if v61 <= -half_turn else 0.0)
+    q4_mmp = v62 + (m7 if v62 <= -half_turn else 0.0)
+    q4_mmm = v63 + (m7 if v63 <= -half_turn else 0.0)
+    angle1_______________ = _atan2(math.sqrt(v34), -(T33 * v19 + s23_pp * v30))
+    angle1________________ = _atan2(math.sqrt(v35), -(T33 * v20 + s23_pm * v30))
+    angle1_________________ = _atan2(math.sqrt(v36), -(T33 * v21 + s23_mp * v31))
+    angle1__________________ = _atan2(math.sqrt(v37), -(T33 * v22 + s23_mm * v31))
+    v64 = angle1_______________ - offset5
+    v65 = offset5 + angle1_______________
+    v66 = angle1________________ - offset5
+    v67 = offset5 + angle1________________
+    v68 = angle1_________________ - offset5
+    v69 = offset5 + angle1_________________
+    v70 = angle1__________________ - offset5
+    v71 = offset5 + angle1__________________
+    q5_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
+    q5_ppm = (m7 if -v65 <= -half_turn else 0.0) - v65
+    q5_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+    q5_pmm = (m7 if -v67 <= -half_turn else 0.0) - v67
+    q5_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
+    q5_mpm = (m7 if -v69 <= -half_turn else 0.0) - v69
+    q5_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
+    q5_mmm = (m7 if -v71 <= -half_turn else 0.0) - v71
+    q1_ppp = v6 + (v46 + (m7 if v46 <= -half_turn else 0.0))
+    q1_mpp = v6 + (v47 + (m7 if v47 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v52 + (m7 if v52 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v53 + (m7 if v53 <= -half_turn else 0.0))
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v37 <= m5 or (v18 <= m2 or (v36 <= m5
+        or (v17 <= m2 or (v35 <= m5 or (v16 <= m2 or (v34 <= m5 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v14 <= m2)))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -948,112 +947,108 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = d3 * X1
-            v3 = d3 * wy
-            v4 = X1 * w1
-            v5 = v3 + v4
-            v6 = v3 - v4
-            v7 = inverse1 * v5
-            v8 = inverse1 * v6
-            v9 = wy * w1
-            v10 = v9 - v2
-            v11 = v2 + v9
-            s1_p = inverse1 * v10
-            v12 = inverse1 * v11
+            v2 = inverse1 * (d3 * wy)
+            v3 = v2 + w1 * (X1 * inverse1)
+            v4 = v2 + w1 * (inverse1 * -X1)
+            v5 = inverse1 * (d3 * X1)
+            s1_p = w1 * (wy * inverse1) - v5
+            s1_m = w1 * (inverse1 * -wy) - v5
             Z1_3 = T34 - d6 * T33 - d1
             N3 = D1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v13 = w3 - w3
-            v14 = k4 * (N3 - k4)
-            s3 = k5 * v14
-            v15 = k4 * w3
-            v16 = k5 * v15
-            X1_2 = a2 + d4 * s3
-            Y1_2 = d4 * v16
-            v17 = Z1_3 * X1_2
-            v18 = w1 * Y1_2
-            S2_pp = v17 - v18
-            S2_pm = v17 + v18
-            v19 = w1 * X1_2
-            v20 = Z1_3 * Y1_2
-            C2_pp = v19 + v20
-            C2_pm = v19 - v20
-            v21 = S2_pp * S2_pp + C2_pp * C2_pp
-            v22 = S2_pm * S2_pm
-            v23 = v22 + C2_pm * C2_pm
-            v24 = v22 + -C2_pm * -C2_pm
-            factor2_pp = 1.0 / math.sqrt(v21)
-            factor2_pm = 1.0 / math.sqrt(v23)
-            factor2_mp = 1.0 / math.sqrt(v24)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = -C2_pm * factor2_mp
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_pm * factor2_mp
-            v25 = s3 * s2_pp + v16 * c2_pp
-            v26 = s3 * s2_pm - v16 * c2_pm
-            v27 = s3 * s2_mp + v16 * c2_mp
-            s23_pp = s3 * c2_pp - v16 * s2_pp
-            s23_pm = s3 * c2_pm + v16 * s2_pm
-            s23_mp = s3 * c2_mp - v16 * s2_mp
-            v28 = T23 * s1_p - T13 * v7
-            v29 = T23 * v12 + T13 * v8
-            X4_pp = v25 * v28 - T33 * s23_pp
-            X4_pm = v26 * v28 - T33 * s23_pm
-            v30 = v27 * v29 + T33 * s23_mp
-            v31 = v25 * v29 + T33 * -s23_pp
-            Y4_p = T13 * s1_p + T23 * v7
-            Y4_m = T23 * v8 - T13 * v12
+            v6 = w3 - w3
+            v7 = k4 * (N3 - k4)
+            v8 = m1 * (Z1_3 * N3)
+            v9 = w3 * (m1 * w1)
+            S2_pp = v8 - v9
+            S2_pm = v8 + v9
+            v10 = w3 * (m1 * Z1_3)
+            v11 = w3 * (m1 * -Z1_3)
+            v12 = m1 * (w1 * N3)
+            C2_pp = v10 + v12
+            C2_pm = v11 + v12
+            C2_mp = v10 - v12
+            C2_mm = v11 - v12
+            v13 = S2_pp * S2_pp
+            v14 = v13 + C2_pp * C2_pp
+            v15 = S2_pm * S2_pm
+            v16 = v15 + C2_pm * C2_pm
+            v17 = v15 + C2_mp * C2_mp
+            v18 = v13 + C2_mm * C2_mm
+            factor2_pp = 1.0 / math.sqrt(v14)
+            factor2_pm = 1.0 / math.sqrt(v16)
+            factor2_mp = 1.0 / math.sqrt(v17)
+            factor2_mm = 1.0 / math.sqrt(v18)
+            v19 = S2_pm * factor2_pp
+            v20 = S2_pp * factor2_pm
+            v21 = S2_pp * factor2_mp
+            v22 = S2_pm * factor2_mm
+            v23 = m3 * N3
+            v24 = v23 - m1
+            v25 = m4 - v23
+            v26 = m1 * (Z1_3 * w3)
+            v27 = m1 * (w3 * -Z1_3)
+            v28 = w1 * (N3 * (v24 + v25))
+            s23_pp = factor2_pp * (v28 - v26)
+            s23_pm = factor2_pm * (v28 - v27)
+            v29 = w1 * (N3 * (-v24 + -v25))
+            s23_mp = factor2_mp * (v29 - v26)
+            s23_mm = factor2_mm * (v29 - v27)
+            v30 = T23 * s1_p - T13 * v3
+            v31 = T23 * s1_m - T13 * v4
+            X4_pp = v19 * v30 - T33 * s23_pp
+            X4_pm = v20 * v30 - T33 * s23_pm
+            X4_mp = v21 * v31 - T33 * s23_mp
+            X4_mm = v22 * v31 - T33 * s23_mm
+            Y4_p = T13 * s1_p + T23 * v3
+            Y4_m = T13 * s1_m + T23 * v4
             v32 = Y4_p * Y4_p
             v33 = Y4_m * Y4_m
             v34 = v32 + X4_pp * X4_pp
             v35 = v32 + X4_pm * X4_pm
-            v36 = v33 + v30 * v30
-            v37 = v33 + v31 * v31
-            v38 = v7 * T22 + s1_p * T12
-            v39 = v8 * T22 - v12 * T12
-            v40 = s1_p * T22 - v7 * T12
-            v41 = v12 * T22 + v8 * T12
-            v42 = v7 * T21 + s1_p * T11
-            v43 = v8 * T21 - v12 * T11
-            v44 = s1_p * T21 - v7 * T11
-            v45 = v12 * T21 + v8 * T11
-            s6_pp = Y4_p * (s23_pp * T31 - v25 * v44) - v42 * -X4_pp
-            s6_pm = Y4_p * (s23_pm * T31 - v26 * v44) - v42 * -X4_pm
-            s6_mp = Y4_m * (s23_mp * T31 + v27 * v45) - v30 * v43
-            s6_mm = Y4_m * (-s23_pp * T31 + v25 * v45) - v31 * v43
+            v36 = v33 + X4_mp * X4_mp
+            v37 = v33 + X4_mm * X4_mm
+            v38 = v3 * T22 + s1_p * T12
+            v39 = v4 * T22 + s1_m * T12
+            v40 = s1_p * T22 - v3 * T12
+            v41 = s1_m * T22 - v4 * T12
+            v42 = v3 * T21 + s1_p * T11
+            v43 = v4 * T21 + s1_m * T11
+            v44 = s1_p * T21 - v3 * T11
+            v45 = s1_m * T21 - v4 * T11
+            s6_pp = Y4_p * (s23_pp * T31 - v19 * v44) - v42 * -X4_pp
+            s6_pm = Y4_p * (s23_pm * T31 - v20 * v44) - v42 * -X4_pm
+            s6_mp = Y4_m * (s23_mp * T31 - v21 * v45) - v43 * -X4_mp
+            s6_mm = Y4_m * (s23_mm * T31 - v22 * v45) - v43 * -X4_mm
             v54 = h1 * math.copysign(half_turn, Y4_p)
             v55 = h1 * math.copysign(half_turn, Y4_m)
-            v64 = T33 * v25
-            v73 = v21 <= m1
-            doubt = (
-                v73 or v37 <= m2 or (v24 <= m1 or v36 <= m2 or (v23 <= m1 or v35 <= m2 or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))) or (v73 or
-                v34 <= m2))))
+            doubt1 = (
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v37 <= m5 or (v18 <= m2 or (v36
+                <= m5 or (v17 <= m2 or (v35 <= m5 or (v16 <= m2 or (v34 <= m5 or (shortest3_reach <=
+                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)
+                or v14 <= m2)))))))))
             )
             work[544 + k] = v1
-            work[576 + k] = v13
-            work[608 + k] = v14
+            work[576 + k] = v6
+            work[608 + k] = v7
             work[640 + k] = s6_pp
             work[672 + k] = s6_pm
             work[704 + k] = s6_mp
             work[736 + k] = s6_mm
             work[768 + k] = v54
             work[800 + k] = v55
-            work[832 + k] = doubt
+            work[832 + k] = doubt1
             work[864 + k] = s6_pp
             work[896 + k] = s6_pm
             work[928 + k] = s6_mp
             work[960 + k] = s6_mm
-            work[992 + k] = v10
-            work[1024 + k] = -v11
+            work[992 + k] = s1_p
+            work[1024 + k] = s1_m
             work[1056 + k] = S2_pp
             work[1088 + k] = S2_pm
             work[1120 + k] = S2_pm
             work[1152 + k] = S2_pp
-            work[1184 + k] = v14
+            work[1184 + k] = v7
             work[1216 + k] = Y4_p
             work[1248 + k] = Y4_p
             work[1280 + k] = Y4_m
@@ -1062,38 +1057,38 @@ def _in_tiles(T, q, status):
             work[1376 + k] = math.sqrt(v35)
             work[1408 + k] = math.sqrt(v36)
             work[1440 + k] = math.sqrt(v37)
-            work[1472 + k] = Y4_p * (s23_pp * T32 - v25 * v40) - v38 * -X4_pp
-            work[1504 + k] = Y4_p * (s23_pm * T32 - v26 * v40) - v38 * -X4_pm
-            work[1536 + k] = Y4_m * (s23_mp * T32 + v27 * v41) - v30 * v39
-            work[1568 + k] = Y4_m * (-s23_pp * T32 + v25 * v41) - v31 * v39
-            work[1600 + k] = -v5
-            work[1632 + k] = -v6
+            work[1472 + k] = Y4_p * (s23_pp * T32 - v19 * v40) - v38 * -X4_pp
+            work[1504 + k] = Y4_p * (s23_pm * T32 - v20 * v40) - v38 * -X4_pm
+            work[1536 + k] = Y4_m * (s23_mp * T32 - v21 * v41) - v39 * -X4_mp
+            work[1568 + k] = Y4_m * (s23_mm * T32 - v22 * v41) - v39 * -X4_mm
+            work[1600 + k] = -v3
+            work[1632 + k] = -v4
             work[1664 + k] = C2_pp
             work[1696 + k] = C2_pm
-            work[1728 + k] = -C2_pm
-            work[1760 + k] = -C2_pp
-            work[1792 + k] = -v15
+            work[1728 + k] = C2_mp
+            work[1760 + k] = C2_mm
+            work[1792 + k] = -(k4 * w3)
             work[1824 + k] = -X4_pp
             work[1856 + k] = -X4_pm
-            work[1888 + k] = v30
-            work[1920 + k] = v31
-            work[1952 + k] = -(v64 + s23_pp * v28)
-            work[1984 + k] = -(T33 * v26 + s23_pm * v28)
-            work[2016 + k] = s23_mp * v29 - T33 * v27
-            work[2048 + k] = -s23_pp * v29 - v64
+            work[1888 + k] = -X4_mp
+            work[1920 + k] = -X4_mm
+            work[1952 + k] = -(T33 * v19 + s23_pp * v30)
+            work[1984 + k] = -(T33 * v20 + s23_pm * v30)
+            work[2016 + k] = -(T33 * v21 + s23_mp * v31)
+            work[2048 + k] = -(T33 * v22 + s23_mm * v31)
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             v1 = work[544 + k]
-            v13 = work[576 + k]
-            v14 = work[608 + k]
+            v6 = work[576 + k]
+            v7 = work[608 + k]
             s6_pp = work[640 + k]
             s6_pm = work[672 + k]
             s6_mp = work[704 + k]
             s6_mm = work[736 + k]
             v54 = work[768 + k]
             v55 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1123,12 +1118,12 @@ def _in_tiles(T, q, status):
             v49 = angle1_______ - offset2
             v50 = angle1________ - offset2
             v51 = angle1_________ - offset2
-            q2_ppp = v48 + (m4 if v48 <= -half_turn else 0.0)
-            q2_pmp = v49 + (m4 if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (m4 if v50 <= -half_turn else 0.0)
-            q2_mmp = v51 + (m4 if v51 <= -half_turn else 0.0)
+            q2_ppp = v48 + (m7 if v48 <= -half_turn else 0.0)
+            q2_pmp = v49 + (m7 if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (m7 if v50 <= -half_turn else 0.0)
+            q2_mmp = v51 + (m7 if v51 <= -half_turn else 0.0)
             v52 = angle1__________ - offset3
-            v53 = h1 * math.copysign(half_turn, v14) - angle1__________ - offset3
+            v53 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
             v56 = angle1___________ - offset4
             v57 = angle1___________ - v54 - offset4
             v58 = angle1____________ - offset4
@@ -1137,34 +1132,34 @@ def _in_tiles(T, q, status):
             v61 = angle1_____________ - v55 - offset4
             v62 = angle1______________ - offset4
             v63 = angle1______________ - v55 - offset4
-            q4_ppp = v56 + (m4 if v56 <= -half_turn else 0.0)
-            q4_ppm = v57 + (m4 if v57 <= -half_turn else 0.0)
-            q4_pmp = v58 + (m4 if v58 <= -half_turn else 0.0)
-            q4_pmm = v59 + (m4 if v59 <= -half_turn else 0.0)
-            q4_mpp = v60 + (m4 if v60 <= -half_turn else 0.0)
-            q4_mpm = v61 + (m4 if v61 <= -half_turn else 0.0)
-            q4_mmp = v62 + (m4 if v62 <= -half_turn else 0.0)
-            q4_mmm = v63 + (m4 if v63 <= -half_turn else 0.0)
-            v65 = angle1_______________ - offset5
-            v66 = offset5 + angle1_______________
-            v67 = angle1________________ - offset5
-            v68 = offset5 + angle1________________
-            v69 = angle1_________________ - offset5
-            v70 = offset5 + angle1_________________
-            v71 = angle1__________________ - offset5
-            v72 = offset5 + angle1__________________
-            q5_ppp = v65 + (m4 if v65 <= -half_turn else 0.0)
-            q5_ppm = (m4 if -v66 <= -half_turn else 0.0) - v66
-            q5_pmp = v67 + (m4 if v67 <= -half_turn else 0.0)
-            q5_pmm = (m4 if -v68 <= -half_turn else 0.0) - v68
-            q5_mpp = v69 + (m4 if v69 <= -half_turn else 0.0)
-            q5_mpm = (m4 if -v70 <= -half_turn else 0.0) - v70
-            q5_mmp = v71 + (m4 if v71 <= -half_turn else 0.0)
-            q5_mmm = (m4 if -v72 <= -half_turn else 0.0) - v72
-            q1_ppp = v13 + (v46 + (m4 if v46 <= -half_turn else 0.0))
-            q1_mpp = v13 + (v47 + (m4 if v47 <= -half_turn else 0.0))
-            q3_ppp = v1 + (v52 + (m4 if v52 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v53 + (m4 if v53 <= -half_turn else 0.0))
+            q4_ppp = v56 + (m7 if v56 <= -half_turn else 0.0)
+            q4_ppm = v57 + (m7 if v57 <= -half_turn else 0.0)
+            q4_pmp = v58 + (m7 if v58 <= -half_turn else 0.0)
+            q4_pmm = v59 + (m7 if v59 <= -half_turn else 0.0)
+            q4_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
+            q4_mpm = v61 + (m7 if v61 <= -half_turn else 0.0)
+            q4_mmp = v62 + (m7 if v62 <= -half_turn else 0.0)
+            q4_mmm = v63 + (m7 if v63 <= -half_turn else 0.0)
+            v64 = angle1_______________ - offset5
+            v65 = offset5 + angle1_______________
+            v66 = angle1________________ - offset5
+            v67 = offset5 + angle1________________
+            v68 = angle1_________________ - offset5
+            v69 = offset5 + angle1_________________
+            v70 = angle1__________________ - offset5
+            v71 = offset5 + angle1__________________
+            q5_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
+            q5_ppm = (m7 if -v65 <= -half_turn else 0.0) - v65
+            q5_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+            q5_pmm = (m7 if -v67 <= -half_turn else 0.0) - v67
+            q5_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
+            q5_mpm = (m7 if -v69 <= -half_turn else 0.0) - v69
+            q5_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
+            q5_mmm = (m7 if -v71 <= -half_turn else 0.0) - v71
+            q1_ppp = v6 + (v46 + (m7 if v46 <= -half_turn else 0.0))
+            q1_mpp = v6 + (v47 + (m7 if v47 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v52 + (m7 if v52 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v53 + (m7 if v53 <= -half_turn else 0.0))
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp
@@ -1237,7 +1232,7 @@ def _in_tiles(T, q, status):
             work[3264 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
             work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

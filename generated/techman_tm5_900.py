@@ -85,8 +85,9 @@ low3 = -2.705260341591211  # lowest value of joint 3
 high3 = 2.705260341591211  # highest value of joint 3
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # near_limit^2
-m4 = 3.102273232454132e-48  # free_limit_squared2^2 [m^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 1.1655011655011656  # a coefficient of S2
+m5 = 0.017143065268065267  # a coefficient of S2
+m6 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -649,32 +650,26 @@ def _regular(pose, q, status):
     free1 = N1 <= free_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
-    v1 = d3 * X1
-    v2 = d3 * wy
-    v3 = X1 * w1
-    v4 = v2 - v3
-    v5 = v2 + v3
-    c1_p = inverse1 * v4
-    c1_m = inverse1 * v5
-    v6 = wy * w1
-    v7 = v1 + v6
-    v8 = v1 - v6
-    s1_p = inverse1 * v7
-    s1_m = inverse1 * v8
+    v1 = inverse1 * (d3 * wy)
+    c1_p = v1 - w1 * (X1 * inverse1)
+    c1_m = v1 - w1 * (inverse1 * -X1)
+    v2 = inverse1 * (d3 * X1)
+    s1_p = v2 + w1 * (wy * inverse1)
+    s1_m = v2 + w1 * (inverse1 * -wy)
 
     # theta6, type 2: U1 A6^-1 [3, 2]
     X6_p = c1_p * T21 - s1_p * T11
     X6_m = c1_m * T21 - s1_m * T11
     Y6_p = c1_p * T22 - s1_p * T12
     Y6_m = c1_m * T22 - s1_m * T12
-    v9 = X6_p * X6_p + Y6_p * Y6_p
-    v10 = X6_m * X6_m + Y6_m * Y6_m
-    w6_p = math.sqrt(v9)
-    w6_m = math.sqrt(v10)
+    v3 = X6_p * X6_p + Y6_p * Y6_p
+    v4 = X6_m * X6_m + Y6_m * Y6_m
+    w6_p = math.sqrt(v3)
+    w6_m = math.sqrt(v4)
     factor6_p = 1.0 / w6_p
     factor6_m = 1.0 / w6_m
-    v11 = X6_p * factor6_p
-    v12 = X6_m * factor6_m
+    v5 = X6_p * factor6_p
+    v6 = X6_m * factor6_m
     s6_p = Y6_p * factor6_p
     s6_m = Y6_m * factor6_m
     angle1 = _atan2(Y6_p, -X6_p)
@@ -687,155 +682,127 @@ def _regular(pose, q, status):
     angle1___ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    Z1_234_p = s6_p * T31 - v11 * T32
-    Z1_234_m = s6_m * T31 - v12 * T32
-    s234_p = w6_p * T33 - c5_p * (v11 * T31 + s6_p * T32)
-    s234_m = w6_m * T33 - c5_m * (v12 * T31 + s6_m * T32)
+    Z1_234_p = s6_p * T31 - v5 * T32
+    Z1_234_m = s6_m * T31 - v6 * T32
+    s234_p = w6_p * T33 - c5_p * (v5 * T31 + s6_p * T32)
+    s234_m = w6_m * T33 - c5_m * (v6 * T31 + s6_m * T32)
     angle1____ = _atan2(s234_p, -Z1_234_p)
     angle1_____ = _atan2(s234_m, -Z1_234_m)
     theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
     theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v13 = d6 * w6_p
-    v14 = d6 * w6_m
-    v15 = T34 - d1
-    v16 = d5 * Z1_234_p
-    v17 = d5 * Z1_234_m
-    v18 = s234_p * v13
-    v19 = s234_m * v14
-    Z1_3_pp = v15 - (v16 + v18)
-    Z1_3_pm = v15 - (v18 - v16)
-    Z1_3_mp = v15 - (v17 + v19)
-    Z1_3_mm = v15 - (v19 - v17)
-    v20 = T14 * c1_p + T24 * s1_p
-    v21 = T14 * c1_m + T24 * s1_m
-    v22 = Z1_234_p * v13
-    v23 = Z1_234_m * v14
-    v24 = d5 * s234_p
-    v25 = d5 * s234_m
-    Z2_3_pp = v20 + (v22 - v24)
-    Z2_3_pm = v20 + (v22 + v24)
-    Z2_3_mp = v21 + (v23 - v25)
-    Z2_3_mm = v21 + (v23 + v25)
+    v7 = d6 * w6_p
+    v8 = d6 * w6_m
+    v9 = T34 - d1
+    v10 = d5 * Z1_234_p
+    v11 = d5 * Z1_234_m
+    v12 = s234_p * v7
+    v13 = s234_m * v8
+    Z1_3_pp = v9 - (v10 + v12)
+    Z1_3_pm = v9 - (v12 - v10)
+    Z1_3_mp = v9 - (v11 + v13)
+    Z1_3_mm = v9 - (v13 - v11)
+    v14 = T14 * c1_p + T24 * s1_p
+    v15 = T14 * c1_m + T24 * s1_m
+    v16 = Z1_234_p * v7
+    v17 = Z1_234_m * v8
+    v18 = d5 * s234_p
+    v19 = d5 * s234_m
+    Z2_3_pp = v14 + (v16 - v18)
+    Z2_3_pm = v14 + (v16 + v18)
+    Z2_3_mp = v15 + (v17 - v19)
+    Z2_3_mm = v15 + (v17 + v19)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
     N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-    K3_pp = N3_pp - k4
-    K3_pm = N3_pm - k4
-    K3_mp = N3_mp - k4
-    K3_mm = N3_mm - k4
     w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
     w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
     w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
     w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-    v26 = w3_pp - w3_pp
-    v27 = w3_pm - w3_pm
-    v28 = w3_mp - w3_mp
-    v29 = w3_mm - w3_mm
-    angle1______ = _atan2(w3_pp, K3_pp)
-    angle1_______ = _atan2(w3_pm, K3_pm)
-    angle1________ = _atan2(w3_mp, K3_mp)
-    angle1_________ = _atan2(w3_mm, K3_mm)
+    v20 = w3_pp - w3_pp
+    v21 = w3_pm - w3_pm
+    v22 = w3_mp - w3_mp
+    v23 = w3_mm - w3_mm
+    angle1______ = _atan2(w3_pp, N3_pp - k4)
+    angle1_______ = _atan2(w3_pm, N3_pm - k4)
+    angle1________ = _atan2(w3_mp, N3_mp - k4)
+    angle1_________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_pp = a2 + a3 * (k5 * K3_pp)
-    X1_2_pm = a2 + a3 * (k5 * K3_pm)
-    X1_2_mp = a2 + a3 * (k5 * K3_mp)
-    X1_2_mm = a2 + a3 * (k5 * K3_mm)
-    Y1_2_pp = a3 * (k5 * w3_pp)
-    Y1_2_pm = a3 * (k5 * w3_pm)
-    Y1_2_mp = a3 * (k5 * w3_mp)
-    Y1_2_mm = a3 * (k5 * w3_mm)
-    v30 = Z1_3_pp * X1_2_pp
-    v31 = Z1_3_pm * X1_2_pm
-    v32 = Z1_3_mp * X1_2_mp
-    v33 = Z1_3_mm * X1_2_mm
-    v34 = Z2_3_pp * Y1_2_pp
-    v35 = Z2_3_pm * Y1_2_pm
-    v36 = Z2_3_mp * Y1_2_mp
-    v37 = Z2_3_mm * Y1_2_mm
-    S2_ppp = v30 - v34
-    S2_ppm = v30 + v34
-    S2_pmp = v31 - v35
-    S2_pmm = v31 + v35
-    S2_mpp = v32 - v36
-    S2_mpm = v32 + v36
-    S2_mmp = v33 - v37
-    S2_mmm = v33 + v37
-    v38 = Z2_3_pp * X1_2_pp
-    v39 = Z2_3_pm * X1_2_pm
-    v40 = Z2_3_mp * X1_2_mp
-    v41 = Z2_3_mm * X1_2_mm
-    v42 = Z1_3_pp * Y1_2_pp
-    v43 = Z1_3_pm * Y1_2_pm
-    v44 = Z1_3_mp * Y1_2_mp
-    v45 = Z1_3_mm * Y1_2_mm
-    C2_ppp = v38 + v42
-    C2_ppm = v38 - v42
-    C2_pmp = v39 + v43
-    C2_pmm = v39 - v43
-    C2_mpp = v40 + v44
-    C2_mpm = v40 - v44
-    C2_mmp = v41 + v45
-    C2_mmm = v41 - v45
-    angle1__________ = _atan2(S2_ppp, C2_ppp)
-    angle1___________ = _atan2(S2_ppm, C2_ppm)
-    angle1____________ = _atan2(S2_pmp, C2_pmp)
-    angle1_____________ = _atan2(S2_pmm, C2_pmm)
-    angle1______________ = _atan2(S2_mpp, C2_mpp)
-    angle1_______________ = _atan2(S2_mpm, C2_mpm)
-    angle1________________ = _atan2(S2_mmp, C2_mmp)
-    angle1_________________ = _atan2(S2_mmm, C2_mmm)
+    v24 = m5 + m4 * N3_pp
+    v25 = m5 + m4 * N3_pm
+    v26 = m5 + m4 * N3_mp
+    v27 = m5 + m4 * N3_mm
+    v28 = Z1_3_pp * v24
+    v29 = Z1_3_pm * v25
+    v30 = Z1_3_mp * v26
+    v31 = Z1_3_mm * v27
+    v32 = Z2_3_pp * v24
+    v33 = Z2_3_pm * v25
+    v34 = Z2_3_mp * v26
+    v35 = Z2_3_mm * v27
+    v36 = w3_pp * (m4 * Z2_3_pp)
+    angle1__________ = _atan2(v28 - v36, v32 + w3_pp * (m4 * Z1_3_pp))
+    angle1___________ = _atan2(v28 + v36, v32 + w3_pp * (m4 * -Z1_3_pp))
+    v37 = w3_pm * (m4 * Z2_3_pm)
+    angle1____________ = _atan2(v29 - v37, v33 + w3_pm * (m4 * Z1_3_pm))
+    angle1_____________ = _atan2(v29 + v37, v33 + w3_pm * (m4 * -Z1_3_pm))
+    v38 = w3_mp * (m4 * Z2_3_mp)
+    angle1______________ = _atan2(v30 - v38, v34 + w3_mp * (m4 * Z1_3_mp))
+    angle1_______________ = _atan2(v30 + v38, v34 + w3_mp * (m4 * -Z1_3_mp))
+    v39 = w3_mm * (m4 * Z2_3_mm)
+    angle1________________ = _atan2(v31 - v39, v35 + w3_mm * (m4 * Z1_3_mm))
+    angle1_________________ = _atan2(v31 + v39, v35 + w3_mm * (m4 * -Z1_3_mm))
 
     # joint values
-    angle1__________________ = _atan2(v7, v4)
-    v46 = angle1__________________ - offset1
-    angle1___________________ = _atan2(v8, v5)
-    v47 = angle1___________________ - offset1
-    q1__p = v46 + (m5 if v46 <= -half_turn else 0.0)
-    q1__m = v47 + (m5 if v47 <= -half_turn else 0.0)
-    v48 = angle1__________ - offset2
-    v49 = angle1___________ - offset2
-    v50 = angle1____________ - offset2
-    v51 = angle1_____________ - offset2
-    v52 = angle1______________ - offset2
-    v53 = angle1_______________ - offset2
-    v54 = angle1________________ - offset2
-    v55 = angle1_________________ - offset2
-    q2_ppp = v48 + (m5 if v48 <= -half_turn else 0.0)
-    q2_ppm = v49 + (m5 if v49 <= -half_turn else 0.0)
-    q2_pmp = v50 + (m5 if v50 <= -half_turn else 0.0)
-    q2_pmm = v51 + (m5 if v51 <= -half_turn else 0.0)
-    q2_mpp = v52 + (m5 if v52 <= -half_turn else 0.0)
-    q2_mpm = v53 + (m5 if v53 <= -half_turn else 0.0)
-    q2_mmp = v54 + (m5 if v54 <= -half_turn else 0.0)
-    q2_mmm = v55 + (m5 if v55 <= -half_turn else 0.0)
-    v56 = angle1____ - (angle1______ + angle1__________) - offset4
-    v57 = angle1____ - (angle1___________ - angle1______) - offset4
-    v58 = theta234_pm - (angle1_______ + angle1____________) - offset4
-    v59 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-    v60 = angle1_____ - (angle1________ + angle1______________) - offset4
-    v61 = angle1_____ - (angle1_______________ - angle1________) - offset4
-    v62 = theta234_mm - (angle1_________ + angle1________________) - offset4
-    v63 = theta234_mm - (angle1_________________ - angle1_________) - offset4
-    v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-    v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-    v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-    v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-    v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-    v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
-    v70 = v62 - (m5 if half_turn < v62 else 0.0) + (m5 if v62 <= -half_turn else 0.0)
-    v71 = v63 - (m5 if half_turn < v63 else 0.0) + (m5 if v63 <= -half_turn else 0.0)
-    q4_ppp = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q4_ppm = v65 + (m5 if v65 <= -half_turn else 0.0)
-    q4_pmp = v66 + (m5 if v66 <= -half_turn else 0.0)
-    q4_pmm = v67 + (m5 if v67 <= -half_turn else 0.0)
-    q4_mpp = v68 + (m5 if v68 <= -half_turn else 0.0)
-    q4_mpm = v69 + (m5 if v69 <= -half_turn else 0.0)
-    q4_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
-    q4_mmm = v71 + (m5 if v71 <= -half_turn else 0.0)
+    angle1__________________ = _atan2(s1_p, c1_p)
+    v40 = angle1__________________ - offset1
+    angle1___________________ = _atan2(s1_m, c1_m)
+    v41 = angle1___________________ - offset1
+    q1__p = v40 + (m6 if v40 <= -half_turn else 0.0)
+    q1__m = v41 + (m6 if v41 <= -half_turn else 0.0)
+    v42 = angle1__________ - offset2
+    v43 = angle1___________ - offset2
+    v44 = angle1____________ - offset2
+    v45 = angle1_____________ - offset2
+    v46 = angle1______________ - offset2
+    v47 = angle1_______________ - offset2
+    v48 = angle1________________ - offset2
+    v49 = angle1_________________ - offset2
+    q2_ppp = v42 + (m6 if v42 <= -half_turn else 0.0)
+    q2_ppm = v43 + (m6 if v43 <= -half_turn else 0.0)
+    q2_pmp = v44 + (m6 if v44 <= -half_turn else 0.0)
+    q2_pmm = v45 + (m6 if v45 <= -half_turn else 0.0)
+    q2_mpp = v46 + (m6 if v46 <= -half_turn else 0.0)
+    q2_mpm = v47 + (m6 if v47 <= -half_turn else 0.0)
+    q2_mmp = v48 + (m6 if v48 <= -half_turn else 0.0)
+    q2_mmm = v49 + (m6 if v49 <= -half_turn else 0.0)
+    v50 = angle1____ - (angle1______ + angle1__________) - offset4
+    v51 = angle1____ - (angle1___________ - angle1______) - offset4
+    v52 = theta234_pm - (angle1_______ + angle1____________) - offset4
+    v53 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+    v54 = angle1_____ - (angle1________ + angle1______________) - offset4
+    v55 = angle1_____ - (angle1_______________ - angle1________) - offset4
+    v56 = theta234_mm - (angle1_________ + angle1________________) - offset4
+    v57 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+    v58 = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
+    v59 = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
+    v60 = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
+    v61 = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+    v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+    v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+    v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+    v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+    q4_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
+    q4_ppm = v59 + (m6 if v59 <= -half_turn else 0.0)
+    q4_pmp = v60 + (m6 if v60 <= -half_turn else 0.0)
+    q4_pmm = v61 + (m6 if v61 <= -half_turn else 0.0)
+    q4_mpp = v62 + (m6 if v62 <= -half_turn else 0.0)
+    q4_mpm = v63 + (m6 if v63 <= -half_turn else 0.0)
+    q4_mmp = v64 + (m6 if v64 <= -half_turn else 0.0)
+    q4_mmm = v65 + (m6 if v65 <= -half_turn else 0.0)
     outside_ppp = angle1______ < low3 or high3 < angle1______
     outside_ppm = -angle1______ < low3 or high3 < -angle1______
     outside_pmp = angle1_______ < low3 or high3 < angle1_______
@@ -844,33 +811,30 @@ def _regular(pose, q, status):
     outside_mpm = -angle1________ < low3 or high3 < -angle1________
     outside_mmp = angle1_________ < low3 or high3 < angle1_________
     outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
-    q1_ppp = v26 + q1__p
-    q1_pmp = v27 + q1__p
-    q1_mpp = v28 + q1__m
-    q1_mmp = v29 + q1__m
-    q5_ppp = angle1__ + v26
-    q5_pmp = v27 - angle1__
-    q5_mpp = angle1___ + v28
-    q5_mmp = v29 - angle1___
-    q6_ppp = angle1 + v26
-    q6_pmp = v27 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-    q6_mpp = angle1_ + v28
-    q6_mmp = v29 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
-    doubt = (
-        S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4 or
-        (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <= m4 or
-        (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp <= m4 or
-        (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp * C2_ppp <= m4 or
-        (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not (shortest3_apart < N3_mm and
-        N3_mm < longest3_apart) or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not
-        (shortest3_apart < N3_mp and N3_mp < longest3_apart) or (shortest3_reach <= N3_pm and N3_pm
-        <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and
-        N3_pp < longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
-        (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
+    q1_ppp = v20 + q1__p
+    q1_pmp = v21 + q1__p
+    q1_mpp = v22 + q1__m
+    q1_mmp = v23 + q1__m
+    q5_ppp = angle1__ + v20
+    q5_pmp = v21 - angle1__
+    q5_mpp = angle1___ + v22
+    q5_mmp = v23 - angle1___
+    q6_ppp = angle1 + v20
+    q6_pmp = v21 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+    q6_mpp = angle1_ + v22
+    q6_mmp = v23 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+    doubt1 = (
+        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
+        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
+        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
+        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4 <= m2 or (v4 <= m1 or (v3 <=
+        m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v3 <= m1)))))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -1119,138 +1083,102 @@ def _in_tiles(T, q, status):
             free1 = N1 <= free_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
-            v1 = d3 * X1
-            v2 = d3 * wy
-            v3 = X1 * w1
-            v4 = v2 - v3
-            v5 = v2 + v3
-            c1_p = inverse1 * v4
-            c1_m = inverse1 * v5
-            v6 = wy * w1
-            v7 = v1 + v6
-            v8 = v1 - v6
-            s1_p = inverse1 * v7
-            s1_m = inverse1 * v8
+            v1 = inverse1 * (d3 * wy)
+            c1_p = v1 - w1 * (X1 * inverse1)
+            c1_m = v1 - w1 * (inverse1 * -X1)
+            v2 = inverse1 * (d3 * X1)
+            s1_p = v2 + w1 * (wy * inverse1)
+            s1_m = v2 + w1 * (inverse1 * -wy)
             X6_p = c1_p * T21 - s1_p * T11
             X6_m = c1_m * T21 - s1_m * T11
             Y6_p = c1_p * T22 - s1_p * T12
             Y6_m = c1_m * T22 - s1_m * T12
-            v9 = X6_p * X6_p + Y6_p * Y6_p
-            v10 = X6_m * X6_m + Y6_m * Y6_m
-            w6_p = math.sqrt(v9)
-            w6_m = math.sqrt(v10)
+            v3 = X6_p * X6_p + Y6_p * Y6_p
+            v4 = X6_m * X6_m + Y6_m * Y6_m
+            w6_p = math.sqrt(v3)
+            w6_m = math.sqrt(v4)
             factor6_p = 1.0 / w6_p
             factor6_m = 1.0 / w6_m
-            v11 = X6_p * factor6_p
-            v12 = X6_m * factor6_m
+            v5 = X6_p * factor6_p
+            v6 = X6_m * factor6_m
             s6_p = Y6_p * factor6_p
             s6_m = Y6_m * factor6_m
             c5_p = T23 * c1_p - T13 * s1_p
             c5_m = T23 * c1_m - T13 * s1_m
-            Z1_234_p = s6_p * T31 - v11 * T32
-            Z1_234_m = s6_m * T31 - v12 * T32
-            s234_p = w6_p * T33 - c5_p * (v11 * T31 + s6_p * T32)
-            s234_m = w6_m * T33 - c5_m * (v12 * T31 + s6_m * T32)
-            v13 = d6 * w6_p
-            v14 = d6 * w6_m
-            v15 = T34 - d1
-            v16 = d5 * Z1_234_p
-            v17 = d5 * Z1_234_m
-            v18 = s234_p * v13
-            v19 = s234_m * v14
-            Z1_3_pp = v15 - (v16 + v18)
-            Z1_3_pm = v15 - (v18 - v16)
-            Z1_3_mp = v15 - (v17 + v19)
-            Z1_3_mm = v15 - (v19 - v17)
-            v20 = T14 * c1_p + T24 * s1_p
-            v21 = T14 * c1_m + T24 * s1_m
-            v22 = Z1_234_p * v13
-            v23 = Z1_234_m * v14
-            v24 = d5 * s234_p
-            v25 = d5 * s234_m
-            Z2_3_pp = v20 + (v22 - v24)
-            Z2_3_pm = v20 + (v22 + v24)
-            Z2_3_mp = v21 + (v23 - v25)
-            Z2_3_mm = v21 + (v23 + v25)
+            Z1_234_p = s6_p * T31 - v5 * T32
+            Z1_234_m = s6_m * T31 - v6 * T32
+            s234_p = w6_p * T33 - c5_p * (v5 * T31 + s6_p * T32)
+            s234_m = w6_m * T33 - c5_m * (v6 * T31 + s6_m * T32)
+            v7 = d6 * w6_p
+            v8 = d6 * w6_m
+            v9 = T34 - d1
+            v10 = d5 * Z1_234_p
+            v11 = d5 * Z1_234_m
+            v12 = s234_p * v7
+            v13 = s234_m * v8
+            Z1_3_pp = v9 - (v10 + v12)
+            Z1_3_pm = v9 - (v12 - v10)
+            Z1_3_mp = v9 - (v11 + v13)
+            Z1_3_mm = v9 - (v13 - v11)
+            v14 = T14 * c1_p + T24 * s1_p
+            v15 = T14 * c1_m + T24 * s1_m
+            v16 = Z1_234_p * v7
+            v17 = Z1_234_m * v8
+            v18 = d5 * s234_p
+            v19 = d5 * s234_m
+            Z2_3_pp = v14 + (v16 - v18)
+            Z2_3_pm = v14 + (v16 + v18)
+            Z2_3_mp = v15 + (v17 - v19)
+            Z2_3_mm = v15 + (v17 + v19)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
             N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-            K3_pp = N3_pp - k4
-            K3_pm = N3_pm - k4
-            K3_mp = N3_mp - k4
-            K3_mm = N3_mm - k4
             w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
             w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
             w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
             w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-            v26 = w3_pp - w3_pp
-            v27 = w3_pm - w3_pm
-            v28 = w3_mp - w3_mp
-            v29 = w3_mm - w3_mm
-            X1_2_pp = a2 + a3 * (k5 * K3_pp)
-            X1_2_pm = a2 + a3 * (k5 * K3_pm)
-            X1_2_mp = a2 + a3 * (k5 * K3_mp)
-            X1_2_mm = a2 + a3 * (k5 * K3_mm)
-            Y1_2_pp = a3 * (k5 * w3_pp)
-            Y1_2_pm = a3 * (k5 * w3_pm)
-            Y1_2_mp = a3 * (k5 * w3_mp)
-            Y1_2_mm = a3 * (k5 * w3_mm)
-            v30 = Z1_3_pp * X1_2_pp
-            v31 = Z1_3_pm * X1_2_pm
-            v32 = Z1_3_mp * X1_2_mp
-            v33 = Z1_3_mm * X1_2_mm
-            v34 = Z2_3_pp * Y1_2_pp
-            v35 = Z2_3_pm * Y1_2_pm
-            v36 = Z2_3_mp * Y1_2_mp
-            v37 = Z2_3_mm * Y1_2_mm
-            S2_ppp = v30 - v34
-            S2_ppm = v30 + v34
-            S2_pmp = v31 - v35
-            S2_pmm = v31 + v35
-            S2_mpp = v32 - v36
-            S2_mpm = v32 + v36
-            S2_mmp = v33 - v37
-            S2_mmm = v33 + v37
-            v38 = Z2_3_pp * X1_2_pp
-            v39 = Z2_3_pm * X1_2_pm
-            v40 = Z2_3_mp * X1_2_mp
-            v41 = Z2_3_mm * X1_2_mm
-            v42 = Z1_3_pp * Y1_2_pp
-            v43 = Z1_3_pm * Y1_2_pm
-            v44 = Z1_3_mp * Y1_2_mp
-            v45 = Z1_3_mm * Y1_2_mm
-            C2_ppp = v38 + v42
-            C2_ppm = v38 - v42
-            C2_pmp = v39 + v43
-            C2_pmm = v39 - v43
-            C2_mpp = v40 + v44
-            C2_mpm = v40 - v44
-            C2_mmp = v41 + v45
-            C2_mmm = v41 - v45
-            doubt = (
-                S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4
-                or (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <=
-                m4 or (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp
-                <= m4 or (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp *
-                C2_ppp <= m4 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not
-                (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (shortest3_reach <= N3_mp
-                and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and N3_mp <
-                longest3_apart) or (shortest3_reach <= N3_pm and N3_pm <= longest3_reach and not
-                (shortest3_apart < N3_pm and N3_pm < longest3_apart) or (shortest3_reach <= N3_pp
-                and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and N3_pp <
-                longest3_apart) or (v10 <= m1 or v10 <= m2 or (free1 or -k2 <= D1 and (free1 or not
-                (k3 < D1)) or (v9 <= m1 or v9 <= m2))))))))))))))
+            v20 = w3_pp - w3_pp
+            v21 = w3_pm - w3_pm
+            v22 = w3_mp - w3_mp
+            v23 = w3_mm - w3_mm
+            v24 = m5 + m4 * N3_pp
+            v25 = m5 + m4 * N3_pm
+            v26 = m5 + m4 * N3_mp
+            v27 = m5 + m4 * N3_mm
+            v28 = Z1_3_pp * v24
+            v29 = Z1_3_pm * v25
+            v30 = Z1_3_mp * v26
+            v31 = Z1_3_mm * v27
+            v32 = Z2_3_pp * v24
+            v33 = Z2_3_pm * v25
+            v34 = Z2_3_mp * v26
+            v35 = Z2_3_mm * v27
+            v36 = w3_pp * (m4 * Z2_3_pp)
+            v37 = w3_pm * (m4 * Z2_3_pm)
+            v38 = w3_mp * (m4 * Z2_3_mp)
+            v39 = w3_mm * (m4 * Z2_3_mm)
+            doubt1 = (
+                N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
+                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
+                (N3_mp <= free_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
+                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
+                (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
+                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+                (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4
+                <= m2 or (v4 <= m1 or (v3 <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))
+                or v3 <= m1)))))))))))
             )
             work[544 + k] = Y6_p
             work[576 + k] = Y6_m
             work[608 + k] = s234_p
             work[640 + k] = s234_m
-            work[672 + k] = v26
-            work[704 + k] = v27
-            work[736 + k] = v28
-            work[768 + k] = v29
-            work[800 + k] = doubt
+            work[672 + k] = v20
+            work[704 + k] = v21
+            work[736 + k] = v22
+            work[768 + k] = v23
+            work[800 + k] = doubt1
             work[832 + k] = Y6_p
             work[864 + k] = Y6_m
             work[896 + k] = w6_p
@@ -1261,36 +1189,36 @@ def _in_tiles(T, q, status):
             work[1056 + k] = w3_pm
             work[1088 + k] = w3_mp
             work[1120 + k] = w3_mm
-            work[1152 + k] = S2_ppp
-            work[1184 + k] = S2_ppm
-            work[1216 + k] = S2_pmp
-            work[1248 + k] = S2_pmm
-            work[1280 + k] = S2_mpp
-            work[1312 + k] = S2_mpm
-            work[1344 + k] = S2_mmp
-            work[1376 + k] = S2_mmm
-            work[1408 + k] = v7
-            work[1440 + k] = v8
+            work[1152 + k] = v28 - v36
+            work[1184 + k] = v28 + v36
+            work[1216 + k] = v29 - v37
+            work[1248 + k] = v29 + v37
+            work[1280 + k] = v30 - v38
+            work[1312 + k] = v30 + v38
+            work[1344 + k] = v31 - v39
+            work[1376 + k] = v31 + v39
+            work[1408 + k] = s1_p
+            work[1440 + k] = s1_m
             work[1472 + k] = -X6_p
             work[1504 + k] = -X6_m
             work[1536 + k] = c5_p
             work[1568 + k] = c5_m
             work[1600 + k] = -Z1_234_p
             work[1632 + k] = -Z1_234_m
-            work[1664 + k] = K3_pp
-            work[1696 + k] = K3_pm
-            work[1728 + k] = K3_mp
-            work[1760 + k] = K3_mm
-            work[1792 + k] = C2_ppp
-            work[1824 + k] = C2_ppm
-            work[1856 + k] = C2_pmp
-            work[1888 + k] = C2_pmm
-            work[1920 + k] = C2_mpp
-            work[1952 + k] = C2_mpm
-            work[1984 + k] = C2_mmp
-            work[2016 + k] = C2_mmm
-            work[2048 + k] = v4
-            work[2080 + k] = v5
+            work[1664 + k] = N3_pp - k4
+            work[1696 + k] = N3_pm - k4
+            work[1728 + k] = N3_mp - k4
+            work[1760 + k] = N3_mm - k4
+            work[1792 + k] = v32 + w3_pp * (m4 * Z1_3_pp)
+            work[1824 + k] = v32 + w3_pp * (m4 * -Z1_3_pp)
+            work[1856 + k] = v33 + w3_pm * (m4 * Z1_3_pm)
+            work[1888 + k] = v33 + w3_pm * (m4 * -Z1_3_pm)
+            work[1920 + k] = v34 + w3_mp * (m4 * Z1_3_mp)
+            work[1952 + k] = v34 + w3_mp * (m4 * -Z1_3_mp)
+            work[1984 + k] = v35 + w3_mm * (m4 * Z1_3_mm)
+            work[2016 + k] = v35 + w3_mm * (m4 * -Z1_3_mm)
+            work[2048 + k] = c1_p
+            work[2080 + k] = c1_m
         for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
@@ -1298,11 +1226,11 @@ def _in_tiles(T, q, status):
             Y6_m = work[576 + k]
             s234_p = work[608 + k]
             s234_m = work[640 + k]
-            v26 = work[672 + k]
-            v27 = work[704 + k]
-            v28 = work[736 + k]
-            v29 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v20 = work[672 + k]
+            v21 = work[704 + k]
+            v22 = work[736 + k]
+            v23 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1325,50 +1253,50 @@ def _in_tiles(T, q, status):
             angle1___________________ = work[1440 + k]
             theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
             theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
-            v46 = angle1__________________ - offset1
-            v47 = angle1___________________ - offset1
-            q1__p = v46 + (m5 if v46 <= -half_turn else 0.0)
-            q1__m = v47 + (m5 if v47 <= -half_turn else 0.0)
-            v48 = angle1__________ - offset2
-            v49 = angle1___________ - offset2
-            v50 = angle1____________ - offset2
-            v51 = angle1_____________ - offset2
-            v52 = angle1______________ - offset2
-            v53 = angle1_______________ - offset2
-            v54 = angle1________________ - offset2
-            v55 = angle1_________________ - offset2
-            q2_ppp = v48 + (m5 if v48 <= -half_turn else 0.0)
-            q2_ppm = v49 + (m5 if v49 <= -half_turn else 0.0)
-            q2_pmp = v50 + (m5 if v50 <= -half_turn else 0.0)
-            q2_pmm = v51 + (m5 if v51 <= -half_turn else 0.0)
-            q2_mpp = v52 + (m5 if v52 <= -half_turn else 0.0)
-            q2_mpm = v53 + (m5 if v53 <= -half_turn else 0.0)
-            q2_mmp = v54 + (m5 if v54 <= -half_turn else 0.0)
-            q2_mmm = v55 + (m5 if v55 <= -half_turn else 0.0)
-            v56 = angle1____ - (angle1______ + angle1__________) - offset4
-            v57 = angle1____ - (angle1___________ - angle1______) - offset4
-            v58 = theta234_pm - (angle1_______ + angle1____________) - offset4
-            v59 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-            v60 = angle1_____ - (angle1________ + angle1______________) - offset4
-            v61 = angle1_____ - (angle1_______________ - angle1________) - offset4
-            v62 = theta234_mm - (angle1_________ + angle1________________) - offset4
-            v63 = theta234_mm - (angle1_________________ - angle1_________) - offset4
-            v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-            v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-            v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-            v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-            v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-            v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
-            v70 = v62 - (m5 if half_turn < v62 else 0.0) + (m5 if v62 <= -half_turn else 0.0)
-            v71 = v63 - (m5 if half_turn < v63 else 0.0) + (m5 if v63 <= -half_turn else 0.0)
-            q4_ppp = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q4_ppm = v65 + (m5 if v65 <= -half_turn else 0.0)
-            q4_pmp = v66 + (m5 if v66 <= -half_turn else 0.0)
-            q4_pmm = v67 + (m5 if v67 <= -half_turn else 0.0)
-            q4_mpp = v68 + (m5 if v68 <= -half_turn else 0.0)
-            q4_mpm = v69 + (m5 if v69 <= -half_turn else 0.0)
-            q4_mmp = v70 + (m5 if v70 <= -half_turn else 0.0)
-            q4_mmm = v71 + (m5 if v71 <= -half_turn else 0.0)
+            v40 = angle1__________________ - offset1
+            v41 = angle1___________________ - offset1
+            q1__p = v40 + (m6 if v40 <= -half_turn else 0.0)
+            q1__m = v41 + (m6 if v41 <= -half_turn else 0.0)
+            v42 = angle1__________ - offset2
+            v43 = angle1___________ - offset2
+            v44 = angle1____________ - offset2
+            v45 = angle1_____________ - offset2
+            v46 = angle1______________ - offset2
+            v47 = angle1_______________ - offset2
+            v48 = angle1________________ - offset2
+            v49 = angle1_________________ - offset2
+            q2_ppp = v42 + (m6 if v42 <= -half_turn else 0.0)
+            q2_ppm = v43 + (m6 if v43 <= -half_turn else 0.0)
+            q2_pmp = v44 + (m6 if v44 <= -half_turn else 0.0)
+            q2_pmm = v45 + (m6 if v45 <= -half_turn else 0.0)
+            q2_mpp = v46 + (m6 if v46 <= -half_turn else 0.0)
+            q2_mpm = v47 + (m6 if v47 <= -half_turn else 0.0)
+            q2_mmp = v48 + (m6 if v48 <= -half_turn else 0.0)
+            q2_mmm = v49 + (m6 if v49 <= -half_turn else 0.0)
+            v50 = angle1____ - (angle1______ + angle1__________) - offset4
+            v51 = angle1____ - (angle1___________ - angle1______) - offset4
+            v52 = theta234_pm - (angle1_______ + angle1____________) - offset4
+            v53 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+            v54 = angle1_____ - (angle1________ + angle1______________) - offset4
+            v55 = angle1_____ - (angle1_______________ - angle1________) - offset4
+            v56 = theta234_mm - (angle1_________ + angle1________________) - offset4
+            v57 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+            v58 = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
+            v59 = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
+            v60 = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
+            v61 = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+            v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+            v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+            v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+            v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+            q4_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
+            q4_ppm = v59 + (m6 if v59 <= -half_turn else 0.0)
+            q4_pmp = v60 + (m6 if v60 <= -half_turn else 0.0)
+            q4_pmm = v61 + (m6 if v61 <= -half_turn else 0.0)
+            q4_mpp = v62 + (m6 if v62 <= -half_turn else 0.0)
+            q4_mpm = v63 + (m6 if v63 <= -half_turn else 0.0)
+            q4_mmp = v64 + (m6 if v64 <= -half_turn else 0.0)
+            q4_mmm = v65 + (m6 if v65 <= -half_turn else 0.0)
             outside_ppp = angle1______ < low3 or high3 < angle1______
             outside_ppm = -angle1______ < low3 or high3 < -angle1______
             outside_pmp = angle1_______ < low3 or high3 < angle1_______
@@ -1377,18 +1305,18 @@ def _in_tiles(T, q, status):
             outside_mpm = -angle1________ < low3 or high3 < -angle1________
             outside_mmp = angle1_________ < low3 or high3 < angle1_________
             outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
-            q1_ppp = v26 + q1__p
-            q1_pmp = v27 + q1__p
-            q1_mpp = v28 + q1__m
-            q1_mmp = v29 + q1__m
-            q5_ppp = angle1__ + v26
-            q5_pmp = v27 - angle1__
-            q5_mpp = angle1___ + v28
-            q5_mmp = v29 - angle1___
-            q6_ppp = angle1 + v26
-            q6_pmp = v27 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-            q6_mpp = angle1_ + v28
-            q6_mmp = v29 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+            q1_ppp = v20 + q1__p
+            q1_pmp = v21 + q1__p
+            q1_mpp = v22 + q1__m
+            q1_mmp = v23 + q1__m
+            q5_ppp = angle1__ + v20
+            q5_pmp = v21 - angle1__
+            q5_mpp = angle1___ + v22
+            q5_mmp = v23 - angle1___
+            q6_ppp = angle1 + v20
+            q6_pmp = v21 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+            q6_mpp = angle1_ + v22
+            q6_mmp = v23 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
             _2112 = q1_ppp
             work[2112 + k] = _2112
             _2144 = q2_ppp
@@ -1485,7 +1413,7 @@ def _in_tiles(T, q, status):
             work[3488 + k] = (
                 UNREACHABLE if _2976 != _2976 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -8,6 +8,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef UR5_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DUR5_SCALAR. With -DUR5_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(UR5_SCALAR) && !defined(UR5_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef UR5_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & UR5_UNREACHABLE) \
+        | (~(none) & (outside) & UR5_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)UR5_UNREACHABLE \
+        : (outside) ? (int)UR5_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.089159; /* joint offset 1 [m] */
 static const double a2 = -0.425; /* link length 2 [m] */
 static const double a3 = -0.39225; /* link length 3 [m] */
@@ -36,8 +338,9 @@ static const double k5 = 2.99928766917857; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-24; /* free_limit^2 */
 static const double m2 = 1e-06; /* near_limit^2 */
-static const double m4 = 2.0223050277299973e-48; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 1.1764705882352942; /* a coefficient of S2 */
+static const double m5 = 0.031488161764705896; /* a coefficient of S2 */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const ur5_branches[8] = {
@@ -53,12 +356,6 @@ static const double highest[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void ur5_fk(const double q[6], double T[16])
 {
@@ -225,209 +522,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef UR5_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DUR5_SCALAR. With -DUR5_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(UR5_SCALAR) && !defined(UR5_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef UR5_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & UR5_UNREACHABLE) \
-        | (~(none) & (outside) & UR5_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)UR5_UNREACHABLE \
-        : (outside) ? (int)UR5_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -444,197 +538,165 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = d4 * X1;
-    const wide v2 = d4 * wy;
-    const wide v3 = X1 * w1;
-    const wide v4 = v2 + v3;
-    const wide v5 = v2 - v3;
-    const wide v6 = inverse1 * v4;
-    const wide v7 = inverse1 * v5;
-    const wide v8 = wy * w1;
-    const wide v9 = v8 - v1;
-    const wide v10 = v1 + v8;
-    const wide s1_p = inverse1 * v9;
-    const wide v11 = inverse1 * v10;
-    const wide angle1 = atan2_wide(v9, -v4);
-    const wide angle1_ = atan2_wide(-v10, -v5);
+    const wide v1 = inverse1 * (d4 * wy);
+    const wide v2 = v1 + w1 * (X1 * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -X1);
+    const wide v4 = inverse1 * (d4 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v4;
+    const wide s1_m = w1 * (inverse1 * -wy) - v4;
+    const wide angle1 = atan2_wide(s1_p, -v2);
+    const wide angle1_ = atan2_wide(s1_m, -v3);
 
     /* theta6 */
-    const wide v12 = v6 * T21 + s1_p * T11;
-    const wide v13 = v7 * T21 - v11 * T11;
-    const wide v14 = v6 * T22 + s1_p * T12;
-    const wide v15 = v7 * T22 - v11 * T12;
-    const wide v16 = v12 * v12 + v14 * v14;
-    const wide v17 = v13 * v13 + v15 * v15;
-    const wide w6_p = sqrt_wide(v16);
-    const wide w6_m = sqrt_wide(v17);
+    const wide v5 = v2 * T21 + s1_p * T11;
+    const wide v6 = v3 * T21 + s1_m * T11;
+    const wide v7 = v2 * T22 + s1_p * T12;
+    const wide v8 = v3 * T22 + s1_m * T12;
+    const wide v9 = v5 * v5 + v7 * v7;
+    const wide v10 = v6 * v6 + v8 * v8;
+    const wide w6_p = sqrt_wide(v9);
+    const wide w6_m = sqrt_wide(v10);
     const wide factor6_p = 1.0 / w6_p;
     const wide factor6_m = 1.0 / w6_m;
-    const wide c6_p = v12 * factor6_p;
-    const wide c6_m = v13 * factor6_m;
-    const wide v18 = v14 * factor6_p;
-    const wide v19 = v15 * factor6_m;
-    const wide angle1__ = atan2_wide(-v14, v12);
-    const wide angle1___ = atan2_wide(-v15, v13);
+    const wide c6_p = v5 * factor6_p;
+    const wide c6_m = v6 * factor6_m;
+    const wide v11 = v7 * factor6_p;
+    const wide v12 = v8 * factor6_m;
+    const wide angle1__ = atan2_wide(-v7, v5);
+    const wide angle1___ = atan2_wide(-v8, v6);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v6;
-    const wide c5_m = T23 * v7 - T13 * v11;
+    const wide c5_p = T13 * s1_p + T23 * v2;
+    const wide c5_m = T13 * s1_m + T23 * v3;
     const wide angle1____ = atan2_wide(w6_p, c5_p);
     const wide angle1_____ = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide c234_p = c6_p * T32 - v18 * T31;
-    const wide c234_m = c6_m * T32 - v19 * T31;
-    const wide s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33;
-    const wide s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33;
+    const wide c234_p = c6_p * T32 - v11 * T31;
+    const wide c234_m = c6_m * T32 - v12 * T31;
+    const wide s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33;
+    const wide s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33;
     const wide angle1______ = atan2_wide(s234_p, c234_p);
     const wide angle1_______ = atan2_wide(s234_m, c234_m);
     const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), s234_p);
     const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s234_m);
 
     /* theta3 */
-    const wide v20 = d6 * w6_p;
-    const wide v21 = d6 * w6_m;
-    const wide v22 = T34 - d1;
-    const wide v23 = d5 * c234_p;
-    const wide v24 = d5 * c234_m;
-    const wide v25 = s234_p * v20;
-    const wide v26 = s234_m * v21;
-    const wide Z1_3_pp = v22 + (v23 + v25);
-    const wide Z1_3_pm = v22 + (v25 - v23);
-    const wide Z1_3_mp = v22 + (v24 + v26);
-    const wide Z1_3_mm = v22 + (v26 - v24);
-    const wide v27 = T24 * s1_p - T14 * v6;
-    const wide v28 = T24 * v11 + T14 * v7;
-    const wide v29 = c234_p * v20;
-    const wide v30 = c234_m * v21;
-    const wide v31 = d5 * s234_p;
-    const wide v32 = d5 * s234_m;
-    const wide Z2_3_pp = v27 + (v29 - v31);
-    const wide Z2_3_pm = v27 + (v29 + v31);
-    const wide Z2_3_mp = v30 - v32 - v28;
-    const wide Z2_3_mm = v30 + v32 - v28;
+    const wide v13 = d6 * w6_p;
+    const wide v14 = d6 * w6_m;
+    const wide v15 = T34 - d1;
+    const wide v16 = d5 * c234_p;
+    const wide v17 = d5 * c234_m;
+    const wide v18 = s234_p * v13;
+    const wide v19 = s234_m * v14;
+    const wide Z1_3_pp = v15 + (v16 + v18);
+    const wide Z1_3_pm = v15 + (v18 - v16);
+    const wide Z1_3_mp = v15 + (v17 + v19);
+    const wide Z1_3_mm = v15 + (v19 - v17);
+    const wide v20 = T24 * s1_p - T14 * v2;
+    const wide v21 = T24 * s1_m - T14 * v3;
+    const wide v22 = c234_p * v13;
+    const wide v23 = c234_m * v14;
+    const wide v24 = d5 * s234_p;
+    const wide v25 = d5 * s234_m;
+    const wide Z2_3_pp = v20 + (v22 - v24);
+    const wide Z2_3_pm = v20 + (v22 + v24);
+    const wide Z2_3_mp = v21 + (v23 - v25);
+    const wide Z2_3_mm = v21 + (v23 + v25);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
     const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
-    const wide K3_pp = N3_pp - k4;
-    const wide K3_pm = N3_pm - k4;
-    const wide K3_mp = N3_mp - k4;
-    const wide K3_mm = N3_mm - k4;
     const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v33 = w3_pp - w3_pp;
-    const wide v34 = w3_pm - w3_pm;
-    const wide v35 = w3_mp - w3_mp;
-    const wide v36 = w3_mm - w3_mm;
-    const wide angle1________ = atan2_wide(w3_pp, K3_pp);
-    const wide angle1_________ = atan2_wide(w3_pm, K3_pm);
-    const wide angle1__________ = atan2_wide(w3_mp, K3_mp);
-    const wide angle1___________ = atan2_wide(w3_mm, K3_mm);
+    const wide v26 = w3_pp - w3_pp;
+    const wide v27 = w3_pm - w3_pm;
+    const wide v28 = w3_mp - w3_mp;
+    const wide v29 = w3_mm - w3_mm;
+    const wide angle1________ = atan2_wide(w3_pp, N3_pp - k4);
+    const wide angle1_________ = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle1__________ = atan2_wide(w3_mp, N3_mp - k4);
+    const wide angle1___________ = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide X1_2_pp = a2 + a3 * (k5 * K3_pp);
-    const wide X1_2_pm = a2 + a3 * (k5 * K3_pm);
-    const wide X1_2_mp = a2 + a3 * (k5 * K3_mp);
-    const wide X1_2_mm = a2 + a3 * (k5 * K3_mm);
-    const wide Y1_2_pp = a3 * (k5 * w3_pp);
-    const wide Y1_2_pm = a3 * (k5 * w3_pm);
-    const wide Y1_2_mp = a3 * (k5 * w3_mp);
-    const wide Y1_2_mm = a3 * (k5 * w3_mm);
-    const wide v37 = Z1_3_pp * X1_2_pp;
-    const wide v38 = Z1_3_pm * X1_2_pm;
-    const wide v39 = Z1_3_mp * X1_2_mp;
-    const wide v40 = Z1_3_mm * X1_2_mm;
-    const wide v41 = Z2_3_pp * Y1_2_pp;
-    const wide v42 = Z2_3_pm * Y1_2_pm;
-    const wide v43 = Z2_3_mp * Y1_2_mp;
-    const wide v44 = Z2_3_mm * Y1_2_mm;
-    const wide S2_ppp = v37 - v41;
-    const wide S2_ppm = v37 + v41;
-    const wide S2_pmp = v38 - v42;
-    const wide S2_pmm = v38 + v42;
-    const wide S2_mpp = v39 - v43;
-    const wide S2_mpm = v39 + v43;
-    const wide S2_mmp = v40 - v44;
-    const wide S2_mmm = v40 + v44;
-    const wide v45 = Z2_3_pp * X1_2_pp;
-    const wide v46 = Z2_3_pm * X1_2_pm;
-    const wide v47 = Z2_3_mp * X1_2_mp;
-    const wide v48 = Z2_3_mm * X1_2_mm;
-    const wide v49 = Z1_3_pp * Y1_2_pp;
-    const wide v50 = Z1_3_pm * Y1_2_pm;
-    const wide v51 = Z1_3_mp * Y1_2_mp;
-    const wide v52 = Z1_3_mm * Y1_2_mm;
-    const wide C2_ppp = v45 + v49;
-    const wide C2_ppm = v45 - v49;
-    const wide C2_pmp = v46 + v50;
-    const wide C2_pmm = v46 - v50;
-    const wide C2_mpp = v47 + v51;
-    const wide C2_mpm = v47 - v51;
-    const wide C2_mmp = v48 + v52;
-    const wide C2_mmm = v48 - v52;
-    const wide angle1____________ = atan2_wide(S2_ppp, C2_ppp);
-    const wide angle1_____________ = atan2_wide(S2_ppm, C2_ppm);
-    const wide angle1______________ = atan2_wide(S2_pmp, C2_pmp);
-    const wide angle1_______________ = atan2_wide(S2_pmm, C2_pmm);
-    const wide angle1________________ = atan2_wide(S2_mpp, C2_mpp);
-    const wide angle1_________________ = atan2_wide(S2_mpm, C2_mpm);
-    const wide angle1__________________ = atan2_wide(S2_mmp, C2_mmp);
-    const wide angle1___________________ = atan2_wide(S2_mmm, C2_mmm);
+    const wide v30 = m5 + m4 * N3_pp;
+    const wide v31 = m5 + m4 * N3_pm;
+    const wide v32 = m5 + m4 * N3_mp;
+    const wide v33 = m5 + m4 * N3_mm;
+    const wide v34 = Z1_3_pp * v30;
+    const wide v35 = Z1_3_pm * v31;
+    const wide v36 = Z1_3_mp * v32;
+    const wide v37 = Z1_3_mm * v33;
+    const wide v38 = Z2_3_pp * v30;
+    const wide v39 = Z2_3_pm * v31;
+    const wide v40 = Z2_3_mp * v32;
+    const wide v41 = Z2_3_mm * v33;
+    const wide v42 = w3_pp * (m4 * Z2_3_pp);
+    const wide v43 = w3_pp * (m4 * Z1_3_pp);
+    const wide angle1____________ = atan2_wide(v42 - v34, -(v38 + v43));
+    const wide angle1_____________ = atan2_wide(-(v34 + v42), v43 - v38);
+    const wide v44 = w3_pm * (m4 * Z2_3_pm);
+    const wide v45 = w3_pm * (m4 * Z1_3_pm);
+    const wide angle1______________ = atan2_wide(v44 - v35, -(v39 + v45));
+    const wide angle1_______________ = atan2_wide(-(v35 + v44), v45 - v39);
+    const wide v46 = w3_mp * (m4 * Z2_3_mp);
+    const wide v47 = w3_mp * (m4 * Z1_3_mp);
+    const wide angle1________________ = atan2_wide(v46 - v36, -(v40 + v47));
+    const wide angle1_________________ = atan2_wide(-(v36 + v46), v47 - v40);
+    const wide v48 = w3_mm * (m4 * Z2_3_mm);
+    const wide v49 = w3_mm * (m4 * Z1_3_mm);
+    const wide angle1__________________ = atan2_wide(v48 - v37, -(v41 + v49));
+    const wide angle1___________________ = atan2_wide(-(v37 + v48), v49 - v41);
 
     /* joint values */
-    const wide v53 = angle1______ - (angle1________ + angle1____________);
-    const wide v54 = angle1______ - (angle1_____________ - angle1________);
-    const wide v55 = theta234_pm - (angle1_________ + angle1______________);
-    const wide v56 = theta234_pm - (angle1_______________ - angle1_________);
-    const wide v57 = angle1_______ - (angle1__________ + angle1________________);
-    const wide v58 = angle1_______ - (angle1_________________ - angle1__________);
-    const wide v59 = theta234_mm - (angle1___________ + angle1__________________);
-    const wide v60 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v57 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v59 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m5), all_wide(0.0)) +
-        pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q1_ppp = angle1 + v33;
-    const wide q1_pmp = angle1 + v34;
-    const wide q1_mpp = angle1_ + v35;
-    const wide q1_mmp = angle1_ + v36;
-    const wide q5_ppp = angle1____ + v33;
-    const wide q5_pmp = v34 - angle1____;
-    const wide q5_mpp = angle1_____ + v35;
-    const wide q5_mmp = v36 - angle1_____;
-    const wide q6_ppp = angle1__ + v33;
-    const wide q6_pmp = v34 + (angle1__ - copysign_wide(all_wide(half_turn), -v14) * h1);
-    const wide q6_mpp = angle1___ + v35;
-    const wide q6_mmp = v36 + (angle1___ - copysign_wide(all_wide(half_turn), -v15) * h1);
-    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4) | ((S2_mmp * S2_mmp + C2_mmp *
-        C2_mmp <= m4) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4) | ((S2_mpp * S2_mpp + C2_mpp *
-        C2_mpp <= m4) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4) | ((S2_pmp * S2_pmp + C2_pmp *
-        C2_pmp <= m4) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4) | ((S2_ppp * S2_ppp + C2_ppp *
-        C2_ppp <= m4) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
-        (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
-        N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
-        longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
-        N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
-        longest3_apart)) == 0)) | (((v17 <= m1) | (v17 <= m2)) | ((free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0)))) | ((v16 <= m1) | (v16 <= m2)))))))))))))));
+    const wide v50 = angle1______ - (angle1________ + angle1____________);
+    const wide v51 = angle1______ - (angle1_____________ - angle1________);
+    const wide v52 = theta234_pm - (angle1_________ + angle1______________);
+    const wide v53 = theta234_pm - (angle1_______________ - angle1_________);
+    const wide v54 = angle1_______ - (angle1__________ + angle1________________);
+    const wide v55 = angle1_______ - (angle1_________________ - angle1__________);
+    const wide v56 = theta234_mm - (angle1___________ + angle1__________________);
+    const wide v57 = theta234_mm - (angle1___________________ - angle1___________);
+    const wide q4_ppp = v50 - pick_wide(half_turn < v50, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v50 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_ppm = v51 - pick_wide(half_turn < v51, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v51 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmp = v52 - pick_wide(half_turn < v52, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v52 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmm = v53 - pick_wide(half_turn < v53, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v53 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpp = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpm = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmp = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmm = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q1_ppp = angle1 + v26;
+    const wide q1_pmp = angle1 + v27;
+    const wide q1_mpp = angle1_ + v28;
+    const wide q1_mmp = angle1_ + v29;
+    const wide q5_ppp = angle1____ + v26;
+    const wide q5_pmp = v27 - angle1____;
+    const wide q5_mpp = angle1_____ + v28;
+    const wide q5_mmp = v29 - angle1_____;
+    const wide q6_ppp = angle1__ + v26;
+    const wide q6_pmp = v27 + (angle1__ - copysign_wide(all_wide(half_turn), -v7) * h1);
+    const wide q6_mpp = angle1___ + v28;
+    const wide q6_mmp = v29 + (angle1___ - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
+        <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
+        ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
+        & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((v10 <= m2) | ((v10 <= m1)
+        | ((v9 <= m2) | ((free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))) | (v9 <=
+        m1))))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1____________;
@@ -693,73 +755,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -779,144 +778,90 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int free1 = N1 <= free_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v1 = d4 * X1;
-    const double v2 = d4 * wy;
-    const double v3 = X1 * w1;
-    const four v4 = v2 + e1 * v3;
-    const four v5 = inverse1 * v4;
-    const double v6 = wy * w1;
-    const four v7 = e1 * v6 - v1;
-    const four s1 = inverse1 * v7;
+    const double v1 = inverse1 * (d4 * wy);
+    const four v2 = v1 + w1 * (inverse1 * (e1 * X1));
+    const double v3 = inverse1 * (d4 * X1);
+    const four s1 = w1 * (inverse1 * (e1 * wy)) - v3;
 
     /* theta6 */
-    const four v8 = v5 * T21 + s1 * T11;
-    const four v9 = v5 * T22 + s1 * T12;
-    const four v10 = v8 * v8 + v9 * v9;
-    const four w6 = sqrt_four(v10);
+    const four v4 = v2 * T21 + s1 * T11;
+    const four v5 = v2 * T22 + s1 * T12;
+    const four v6 = v4 * v4 + v5 * v5;
+    const four w6 = sqrt_four(v6);
     const four factor6 = 1.0 / w6;
-    const four c6 = v8 * factor6;
-    const four v11 = v9 * factor6;
-    const four v12 = copysign_four(all_four(half_turn), -v9);
-    const four v13 = m3 * (e2 - 1.0);
+    const four c6 = v4 * factor6;
+    const four v7 = v5 * factor6;
+    const four v8 = copysign_four(all_four(half_turn), -v5);
+    const four v9 = m3 * (e2 - 1.0);
 
     /* theta5 */
-    const four c5 = T13 * s1 + T23 * v5;
+    const four c5 = T13 * s1 + T23 * v2;
 
     /* theta234 */
-    const four c234 = c6 * T32 - v11 * T31;
-    const four s234 = c5 * (c6 * T31 + v11 * T32) - w6 * T33;
-    const four v14 = copysign_four(all_four(half_turn), s234);
+    const four c234 = c6 * T32 - v7 * T31;
+    const four s234 = c5 * (c6 * T31 + v7 * T32) - w6 * T33;
+    const four v10 = copysign_four(all_four(half_turn), s234);
 
     /* theta3 */
-    const four v15 = d6 * w6;
-    const double v16 = T34 - d1;
-    const four v17 = d5 * c234;
-    const four v18 = s234 * v15;
-    const four Z1_3 = v16 + (v18 + e2 * v17);
-    const four v19 = T24 * s1 - T14 * v5;
-    const four v20 = c234 * v15;
-    const four v21 = d5 * s234;
-    const four Z2_3 = v19 + (v20 - e2 * v21);
+    const four v11 = d6 * w6;
+    const double v12 = T34 - d1;
+    const four v13 = d5 * c234;
+    const four v14 = s234 * v11;
+    const four Z1_3 = v12 + (v14 + e2 * v13);
+    const four v15 = T24 * s1 - T14 * v2;
+    const four v16 = c234 * v11;
+    const four v17 = d5 * s234;
+    const four Z2_3 = v15 + (v16 - e2 * v17);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const four K3 = N3 - k4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v22 = w3 - w3;
+    const four v18 = w3 - w3;
 
     /* theta2 */
-    const four X1_2 = a2 + a3 * (k5 * K3);
-    const four Y1_2 = a3 * (k5 * w3);
-    const four v23 = Z1_3 * X1_2;
-    const four v24 = Z2_3 * Y1_2;
-    const four S2_p = v23 - v24;
-    const four S2_m = v23 + v24;
-    const four v25 = Z2_3 * X1_2;
-    const four v26 = Z1_3 * Y1_2;
-    const four C2_p = v25 + v26;
-    const four C2_m = v25 - v26;
+    const four v19 = m5 + m4 * N3;
+    const four v20 = Z1_3 * v19;
+    const four v21 = Z2_3 * v19;
+    const four v22 = w3 * (m4 * Z2_3);
+    const four v23 = w3 * (m4 * Z1_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask v29 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v10 <= m1) | (v10 <= m2));
-    const four_mask doubt = (S2_m * S2_m + C2_m * C2_m <= m4) | ((S2_p * S2_p + C2_p * C2_p <= m4) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | v29));
+    const four_mask doubt2 = (v6 <= m1) | (v6 <= m2);
+    const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1____ = atan2_four(w3, K3);
-    const four angle1_____ = atan2_four(S2_p, C2_p);
-    const four angle1______ = atan2_four(S2_m, C2_m);
-    const four packed4 = atan2_four(__builtin_shufflevector(v7, -v9, 0, 5, 2, 7),
-        __builtin_shufflevector(-v4, v8, 0, 5, 2, 7));
+    const four angle1____ = atan2_four(w3, N3 - k4);
+    const four angle1_____ = atan2_four(v22 - v20, -(v21 + v23));
+    const four angle1______ = atan2_four(-(v20 + v22), v23 - v21);
+    const four packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
+        __builtin_shufflevector(-v2, v4, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
     const four packed5 = atan2_four(__builtin_shufflevector(w6, s234, 0, 5, 2, 7),
         __builtin_shufflevector(c5, c234, 0, 5, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle1___ + v13 * v14;
-    const four v27 = theta234 - (angle1____ + angle1_____);
-    const four v28 = theta234 - (angle1______ - angle1____);
-    const four q4_p = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four q4_m = v28 - pick_four(half_turn < v28, all_four(m5), all_four(0.0)) + pick_four(v28
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four q1_p = angle1 + v22;
-    const four q5_p = v22 + e2 * angle1__;
-    const four q6_p = v22 + (angle1_ + v12 * v13);
+    const four theta234 = angle1___ + v9 * v10;
+    const four v24 = theta234 - (angle1____ + angle1_____);
+    const four v25 = theta234 - (angle1______ - angle1____);
+    const four q4_p = v24 - pick_four(half_turn < v24, all_four(m6), all_four(0.0)) + pick_four(v24
+        <= -half_turn, all_four(m6), all_four(0.0));
+    const four q4_m = v25 - pick_four(half_turn < v25, all_four(m6), all_four(0.0)) + pick_four(v25
+        <= -half_turn, all_four(m6), all_four(0.0));
+    const four q1_p = angle1 + v18;
+    const four q5_p = v18 + e2 * angle1__;
+    const four q6_p = v18 + (angle1_ + v8 * v9);
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_____, angle1____, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    const four_mask kind1 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1______, -angle1____, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
-    const four_mask kind2 = kind_of(q1_p != q1_p, 0);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long kind1 = none1 * UR5_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

@@ -79,8 +79,9 @@ k5 = 2.99928766917857  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # near_limit^2
-m4 = 2.0223050277299973e-48  # free_limit_squared2^2 [m^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 1.1764705882352942  # a coefficient of S2
+m5 = 0.031488161764705896  # a coefficient of S2
+m6 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -629,192 +630,159 @@ def _regular(pose, q, status):
     free1 = N1 <= free_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
-    v1 = d4 * X1
-    v2 = d4 * wy
-    v3 = X1 * w1
-    v4 = v2 + v3
-    v5 = v2 - v3
-    v6 = inverse1 * v4
-    v7 = inverse1 * v5
-    v8 = wy * w1
-    v9 = v8 - v1
-    v10 = v1 + v8
-    s1_p = inverse1 * v9
-    v11 = inverse1 * v10
-    angle1 = _atan2(v9, -v4)
-    angle1_ = _atan2(-v10, -v5)
+    v1 = inverse1 * (d4 * wy)
+    v2 = v1 + w1 * (X1 * inverse1)
+    v3 = v1 + w1 * (inverse1 * -X1)
+    v4 = inverse1 * (d4 * X1)
+    s1_p = w1 * (wy * inverse1) - v4
+    s1_m = w1 * (inverse1 * -wy) - v4
+    angle1 = _atan2(s1_p, -v2)
+    angle1_ = _atan2(s1_m, -v3)
 
     # theta6, type 2: U1 A6^-1 [3, 2]
-    v12 = v6 * T21 + s1_p * T11
-    v13 = v7 * T21 - v11 * T11
-    v14 = v6 * T22 + s1_p * T12
-    v15 = v7 * T22 - v11 * T12
-    v16 = v12 * v12 + v14 * v14
-    v17 = v13 * v13 + v15 * v15
-    w6_p = math.sqrt(v16)
-    w6_m = math.sqrt(v17)
+    v5 = v2 * T21 + s1_p * T11
+    v6 = v3 * T21 + s1_m * T11
+    v7 = v2 * T22 + s1_p * T12
+    v8 = v3 * T22 + s1_m * T12
+    v9 = v5 * v5 + v7 * v7
+    v10 = v6 * v6 + v8 * v8
+    w6_p = math.sqrt(v9)
+    w6_m = math.sqrt(v10)
     factor6_p = 1.0 / w6_p
     factor6_m = 1.0 / w6_m
-    c6_p = v12 * factor6_p
-    c6_m = v13 * factor6_m
-    v18 = v14 * factor6_p
-    v19 = v15 * factor6_m
-    angle1__ = _atan2(-v14, v12)
-    angle1___ = _atan2(-v15, v13)
+    c6_p = v5 * factor6_p
+    c6_m = v6 * factor6_m
+    v11 = v7 * factor6_p
+    v12 = v8 * factor6_m
+    angle1__ = _atan2(-v7, v5)
+    angle1___ = _atan2(-v8, v6)
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
-    c5_p = T13 * s1_p + T23 * v6
-    c5_m = T23 * v7 - T13 * v11
+    c5_p = T13 * s1_p + T23 * v2
+    c5_m = T13 * s1_m + T23 * v3
     angle1____ = _atan2(w6_p, c5_p)
     angle1_____ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    c234_p = c6_p * T32 - v18 * T31
-    c234_m = c6_m * T32 - v19 * T31
-    s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33
-    s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33
+    c234_p = c6_p * T32 - v11 * T31
+    c234_m = c6_m * T32 - v12 * T31
+    s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33
+    s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33
     angle1______ = _atan2(s234_p, c234_p)
     angle1_______ = _atan2(s234_m, c234_m)
     theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
     theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v20 = d6 * w6_p
-    v21 = d6 * w6_m
-    v22 = T34 - d1
-    v23 = d5 * c234_p
-    v24 = d5 * c234_m
-    v25 = s234_p * v20
-    v26 = s234_m * v21
-    Z1_3_pp = v22 + (v23 + v25)
-    Z1_3_pm = v22 + (v25 - v23)
-    Z1_3_mp = v22 + (v24 + v26)
-    Z1_3_mm = v22 + (v26 - v24)
-    v27 = T24 * s1_p - T14 * v6
-    v28 = T24 * v11 + T14 * v7
-    v29 = c234_p * v20
-    v30 = c234_m * v21
-    v31 = d5 * s234_p
-    v32 = d5 * s234_m
-    Z2_3_pp = v27 + (v29 - v31)
-    Z2_3_pm = v27 + (v29 + v31)
-    Z2_3_mp = v30 - v32 - v28
-    Z2_3_mm = v30 + v32 - v28
+    v13 = d6 * w6_p
+    v14 = d6 * w6_m
+    v15 = T34 - d1
+    v16 = d5 * c234_p
+    v17 = d5 * c234_m
+    v18 = s234_p * v13
+    v19 = s234_m * v14
+    Z1_3_pp = v15 + (v16 + v18)
+    Z1_3_pm = v15 + (v18 - v16)
+    Z1_3_mp = v15 + (v17 + v19)
+    Z1_3_mm = v15 + (v19 - v17)
+    v20 = T24 * s1_p - T14 * v2
+    v21 = T24 * s1_m - T14 * v3
+    v22 = c234_p * v13
+    v23 = c234_m * v14
+    v24 = d5 * s234_p
+    v25 = d5 * s234_m
+    Z2_3_pp = v20 + (v22 - v24)
+    Z2_3_pm = v20 + (v22 + v24)
+    Z2_3_mp = v21 + (v23 - v25)
+    Z2_3_mm = v21 + (v23 + v25)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
     N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-    K3_pp = N3_pp - k4
-    K3_pm = N3_pm - k4
-    K3_mp = N3_mp - k4
-    K3_mm = N3_mm - k4
     w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
     w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
     w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
     w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-    v33 = w3_pp - w3_pp
-    v34 = w3_pm - w3_pm
-    v35 = w3_mp - w3_mp
-    v36 = w3_mm - w3_mm
-    angle1________ = _atan2(w3_pp, K3_pp)
-    angle1_________ = _atan2(w3_pm, K3_pm)
-    angle1__________ = _atan2(w3_mp, K3_mp)
-    angle1___________ = _atan2(w3_mm, K3_mm)
+    v26 = w3_pp - w3_pp
+    v27 = w3_pm - w3_pm
+    v28 = w3_mp - w3_mp
+    v29 = w3_mm - w3_mm
+    angle1________ = _atan2(w3_pp, N3_pp - k4)
+    angle1_________ = _atan2(w3_pm, N3_pm - k4)
+    angle1__________ = _atan2(w3_mp, N3_mp - k4)
+    angle1___________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_pp = a2 + a3 * (k5 * K3_pp)
-    X1_2_pm = a2 + a3 * (k5 * K3_pm)
-    X1_2_mp = a2 + a3 * (k5 * K3_mp)
-    X1_2_mm = a2 + a3 * (k5 * K3_mm)
-    Y1_2_pp = a3 * (k5 * w3_pp)
-    Y1_2_pm = a3 * (k5 * w3_pm)
-    Y1_2_mp = a3 * (k5 * w3_mp)
-    Y1_2_mm = a3 * (k5 * w3_mm)
-    v37 = Z1_3_pp * X1_2_pp
-    v38 = Z1_3_pm * X1_2_pm
-    v39 = Z1_3_mp * X1_2_mp
-    v40 = Z1_3_mm * X1_2_mm
-    v41 = Z2_3_pp * Y1_2_pp
-    v42 = Z2_3_pm * Y1_2_pm
-    v43 = Z2_3_mp * Y1_2_mp
-    v44 = Z2_3_mm * Y1_2_mm
-    S2_ppp = v37 - v41
-    S2_ppm = v37 + v41
-    S2_pmp = v38 - v42
-    S2_pmm = v38 + v42
-    S2_mpp = v39 - v43
-    S2_mpm = v39 + v43
-    S2_mmp = v40 - v44
-    S2_mmm = v40 + v44
-    v45 = Z2_3_pp * X1_2_pp
-    v46 = Z2_3_pm * X1_2_pm
-    v47 = Z2_3_mp * X1_2_mp
-    v48 = Z2_3_mm * X1_2_mm
-    v49 = Z1_3_pp * Y1_2_pp
-    v50 = Z1_3_pm * Y1_2_pm
-    v51 = Z1_3_mp * Y1_2_mp
-    v52 = Z1_3_mm * Y1_2_mm
-    C2_ppp = v45 + v49
-    C2_ppm = v45 - v49
-    C2_pmp = v46 + v50
-    C2_pmm = v46 - v50
-    C2_mpp = v47 + v51
-    C2_mpm = v47 - v51
-    C2_mmp = v48 + v52
-    C2_mmm = v48 - v52
-    angle1____________ = _atan2(S2_ppp, C2_ppp)
-    angle1_____________ = _atan2(S2_ppm, C2_ppm)
-    angle1______________ = _atan2(S2_pmp, C2_pmp)
-    angle1_______________ = _atan2(S2_pmm, C2_pmm)
-    angle1________________ = _atan2(S2_mpp, C2_mpp)
-    angle1_________________ = _atan2(S2_mpm, C2_mpm)
-    angle1__________________ = _atan2(S2_mmp, C2_mmp)
-    angle1___________________ = _atan2(S2_mmm, C2_mmm)
+    v30 = m5 + m4 * N3_pp
+    v31 = m5 + m4 * N3_pm
+    v32 = m5 + m4 * N3_mp
+    v33 = m5 + m4 * N3_mm
+    v34 = Z1_3_pp * v30
+    v35 = Z1_3_pm * v31
+    v36 = Z1_3_mp * v32
+    v37 = Z1_3_mm * v33
+    v38 = Z2_3_pp * v30
+    v39 = Z2_3_pm * v31
+    v40 = Z2_3_mp * v32
+    v41 = Z2_3_mm * v33
+    v42 = w3_pp * (m4 * Z2_3_pp)
+    v43 = w3_pp * (m4 * Z1_3_pp)
+    angle1____________ = _atan2(v42 - v34, -(v38 + v43))
+    angle1_____________ = _atan2(-(v34 + v42), v43 - v38)
+    v44 = w3_pm * (m4 * Z2_3_pm)
+    v45 = w3_pm * (m4 * Z1_3_pm)
+    angle1______________ = _atan2(v44 - v35, -(v39 + v45))
+    angle1_______________ = _atan2(-(v35 + v44), v45 - v39)
+    v46 = w3_mp * (m4 * Z2_3_mp)
+    v47 = w3_mp * (m4 * Z1_3_mp)
+    angle1________________ = _atan2(v46 - v36, -(v40 + v47))
+    angle1_________________ = _atan2(-(v36 + v46), v47 - v40)
+    v48 = w3_mm * (m4 * Z2_3_mm)
+    v49 = w3_mm * (m4 * Z1_3_mm)
+    angle1__________________ = _atan2(v48 - v37, -(v41 + v49))
+    angle1___________________ = _atan2(-(v37 + v48), v49 - v41)
 
     # joint values
-    v53 = angle1______ - (angle1________ + angle1____________)
-    v54 = angle1______ - (angle1_____________ - angle1________)
-    v55 = theta234_pm - (angle1_________ + angle1______________)
-    v56 = theta234_pm - (angle1_______________ - angle1_________)
-    v57 = angle1_______ - (angle1__________ + angle1________________)
-    v58 = angle1_______ - (angle1_________________ - angle1__________)
-    v59 = theta234_mm - (angle1___________ + angle1__________________)
-    v60 = theta234_mm - (angle1___________________ - angle1___________)
-    q4_ppp = v53 - (m5 if half_turn < v53 else 0.0) + (m5 if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-    q1_ppp = angle1 + v33
-    q1_pmp = angle1 + v34
-    q1_mpp = angle1_ + v35
-    q1_mmp = angle1_ + v36
-    q5_ppp = angle1____ + v33
-    q5_pmp = v34 - angle1____
-    q5_mpp = angle1_____ + v35
-    q5_mmp = v36 - angle1_____
-    q6_ppp = angle1__ + v33
-    q6_pmp = v34 + (angle1__ - math.copysign(half_turn, -v14) * h1)
-    q6_mpp = angle1___ + v35
-    q6_mmp = v36 + (angle1___ - math.copysign(half_turn, -v15) * h1)
-    doubt = (
-        S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4 or
-        (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <= m4 or
-        (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp <= m4 or
-        (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp * C2_ppp <= m4 or
-        (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not (shortest3_apart < N3_mm and
-        N3_mm < longest3_apart) or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not
-        (shortest3_apart < N3_mp and N3_mp < longest3_apart) or (shortest3_reach <= N3_pm and N3_pm
-        <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and
-        N3_pp < longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
-        (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
+    v50 = angle1______ - (angle1________ + angle1____________)
+    v51 = angle1______ - (angle1_____________ - angle1________)
+    v52 = theta234_pm - (angle1_________ + angle1______________)
+    v53 = theta234_pm - (angle1_______________ - angle1_________)
+    v54 = angle1_______ - (angle1__________ + angle1________________)
+    v55 = angle1_______ - (angle1_________________ - angle1__________)
+    v56 = theta234_mm - (angle1___________ + angle1__________________)
+    v57 = theta234_mm - (angle1___________________ - angle1___________)
+    q4_ppp = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
+    q4_ppm = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
+    q4_pmp = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
+    q4_pmm = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+    q4_mpp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+    q4_mpm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+    q4_mmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+    q4_mmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+    q1_ppp = angle1 + v26
+    q1_pmp = angle1 + v27
+    q1_mpp = angle1_ + v28
+    q1_mmp = angle1_ + v29
+    q5_ppp = angle1____ + v26
+    q5_pmp = v27 - angle1____
+    q5_mpp = angle1_____ + v28
+    q5_mmp = v29 - angle1_____
+    q6_ppp = angle1__ + v26
+    q6_pmp = v27 + (angle1__ - math.copysign(half_turn, -v7) * h1)
+    q6_mpp = angle1___ + v28
+    q6_mmp = v29 + (angle1___ - math.copysign(half_turn, -v8) * h1)
+    doubt1 = (
+        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
+        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
+        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
+        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10 <= m2 or (v10 <= m1 or (v9
+        <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v9 <= m1)))))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = angle1____________
@@ -1063,142 +1031,110 @@ def _in_tiles(T, q, status):
             free1 = N1 <= free_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
-            v1 = d4 * X1
-            v2 = d4 * wy
-            v3 = X1 * w1
-            v4 = v2 + v3
-            v5 = v2 - v3
-            v6 = inverse1 * v4
-            v7 = inverse1 * v5
-            v8 = wy * w1
-            v9 = v8 - v1
-            v10 = v1 + v8
-            s1_p = inverse1 * v9
-            v11 = inverse1 * v10
-            v12 = v6 * T21 + s1_p * T11
-            v13 = v7 * T21 - v11 * T11
-            v14 = v6 * T22 + s1_p * T12
-            v15 = v7 * T22 - v11 * T12
-            v16 = v12 * v12 + v14 * v14
-            v17 = v13 * v13 + v15 * v15
-            w6_p = math.sqrt(v16)
-            w6_m = math.sqrt(v17)
+            v1 = inverse1 * (d4 * wy)
+            v2 = v1 + w1 * (X1 * inverse1)
+            v3 = v1 + w1 * (inverse1 * -X1)
+            v4 = inverse1 * (d4 * X1)
+            s1_p = w1 * (wy * inverse1) - v4
+            s1_m = w1 * (inverse1 * -wy) - v4
+            v5 = v2 * T21 + s1_p * T11
+            v6 = v3 * T21 + s1_m * T11
+            v7 = v2 * T22 + s1_p * T12
+            v8 = v3 * T22 + s1_m * T12
+            v9 = v5 * v5 + v7 * v7
+            v10 = v6 * v6 + v8 * v8
+            w6_p = math.sqrt(v9)
+            w6_m = math.sqrt(v10)
             factor6_p = 1.0 / w6_p
             factor6_m = 1.0 / w6_m
-            c6_p = v12 * factor6_p
-            c6_m = v13 * factor6_m
-            v18 = v14 * factor6_p
-            v19 = v15 * factor6_m
-            c5_p = T13 * s1_p + T23 * v6
-            c5_m = T23 * v7 - T13 * v11
-            c234_p = c6_p * T32 - v18 * T31
-            c234_m = c6_m * T32 - v19 * T31
-            s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33
-            s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33
-            v20 = d6 * w6_p
-            v21 = d6 * w6_m
-            v22 = T34 - d1
-            v23 = d5 * c234_p
-            v24 = d5 * c234_m
-            v25 = s234_p * v20
-            v26 = s234_m * v21
-            Z1_3_pp = v22 + (v23 + v25)
-            Z1_3_pm = v22 + (v25 - v23)
-            Z1_3_mp = v22 + (v24 + v26)
-            Z1_3_mm = v22 + (v26 - v24)
-            v27 = T24 * s1_p - T14 * v6
-            v28 = T24 * v11 + T14 * v7
-            v29 = c234_p * v20
-            v30 = c234_m * v21
-            v31 = d5 * s234_p
-            v32 = d5 * s234_m
-            Z2_3_pp = v27 + (v29 - v31)
-            Z2_3_pm = v27 + (v29 + v31)
-            Z2_3_mp = v30 - v32 - v28
-            Z2_3_mm = v30 + v32 - v28
+            c6_p = v5 * factor6_p
+            c6_m = v6 * factor6_m
+            v11 = v7 * factor6_p
+            v12 = v8 * factor6_m
+            c5_p = T13 * s1_p + T23 * v2
+            c5_m = T13 * s1_m + T23 * v3
+            c234_p = c6_p * T32 - v11 * T31
+            c234_m = c6_m * T32 - v12 * T31
+            s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33
+            s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33
+            v13 = d6 * w6_p
+            v14 = d6 * w6_m
+            v15 = T34 - d1
+            v16 = d5 * c234_p
+            v17 = d5 * c234_m
+            v18 = s234_p * v13
+            v19 = s234_m * v14
+            Z1_3_pp = v15 + (v16 + v18)
+            Z1_3_pm = v15 + (v18 - v16)
+            Z1_3_mp = v15 + (v17 + v19)
+            Z1_3_mm = v15 + (v19 - v17)
+            v20 = T24 * s1_p - T14 * v2
+            v21 = T24 * s1_m - T14 * v3
+            v22 = c234_p * v13
+            v23 = c234_m * v14
+            v24 = d5 * s234_p
+            v25 = d5 * s234_m
+            Z2_3_pp = v20 + (v22 - v24)
+            Z2_3_pm = v20 + (v22 + v24)
+            Z2_3_mp = v21 + (v23 - v25)
+            Z2_3_mm = v21 + (v23 + v25)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
             N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-            K3_pp = N3_pp - k4
-            K3_pm = N3_pm - k4
-            K3_mp = N3_mp - k4
-            K3_mm = N3_mm - k4
             w3_pp = math.sqrt((longest3 - N3_pp) * (N3_pp - shortest3))
             w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
             w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
             w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-            v33 = w3_pp - w3_pp
-            v34 = w3_pm - w3_pm
-            v35 = w3_mp - w3_mp
-            v36 = w3_mm - w3_mm
-            X1_2_pp = a2 + a3 * (k5 * K3_pp)
-            X1_2_pm = a2 + a3 * (k5 * K3_pm)
-            X1_2_mp = a2 + a3 * (k5 * K3_mp)
-            X1_2_mm = a2 + a3 * (k5 * K3_mm)
-            Y1_2_pp = a3 * (k5 * w3_pp)
-            Y1_2_pm = a3 * (k5 * w3_pm)
-            Y1_2_mp = a3 * (k5 * w3_mp)
-            Y1_2_mm = a3 * (k5 * w3_mm)
-            v37 = Z1_3_pp * X1_2_pp
-            v38 = Z1_3_pm * X1_2_pm
-            v39 = Z1_3_mp * X1_2_mp
-            v40 = Z1_3_mm * X1_2_mm
-            v41 = Z2_3_pp * Y1_2_pp
-            v42 = Z2_3_pm * Y1_2_pm
-            v43 = Z2_3_mp * Y1_2_mp
-            v44 = Z2_3_mm * Y1_2_mm
-            S2_ppp = v37 - v41
-            S2_ppm = v37 + v41
-            S2_pmp = v38 - v42
-            S2_pmm = v38 + v42
-            S2_mpp = v39 - v43
-            S2_mpm = v39 + v43
-            S2_mmp = v40 - v44
-            S2_mmm = v40 + v44
-            v45 = Z2_3_pp * X1_2_pp
-            v46 = Z2_3_pm * X1_2_pm
-            v47 = Z2_3_mp * X1_2_mp
-            v48 = Z2_3_mm * X1_2_mm
-            v49 = Z1_3_pp * Y1_2_pp
-            v50 = Z1_3_pm * Y1_2_pm
-            v51 = Z1_3_mp * Y1_2_mp
-            v52 = Z1_3_mm * Y1_2_mm
-            C2_ppp = v45 + v49
-            C2_ppm = v45 - v49
-            C2_pmp = v46 + v50
-            C2_pmm = v46 - v50
-            C2_mpp = v47 + v51
-            C2_mpm = v47 - v51
-            C2_mmp = v48 + v52
-            C2_mmm = v48 - v52
-            doubt = (
-                S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4 or (S2_mmp * S2_mmp + C2_mmp * C2_mmp <= m4
-                or (S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4 or (S2_mpp * S2_mpp + C2_mpp * C2_mpp <=
-                m4 or (S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4 or (S2_pmp * S2_pmp + C2_pmp * C2_pmp
-                <= m4 or (S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4 or (S2_ppp * S2_ppp + C2_ppp *
-                C2_ppp <= m4 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and not
-                (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (shortest3_reach <= N3_mp
-                and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and N3_mp <
-                longest3_apart) or (shortest3_reach <= N3_pm and N3_pm <= longest3_reach and not
-                (shortest3_apart < N3_pm and N3_pm < longest3_apart) or (shortest3_reach <= N3_pp
-                and N3_pp <= longest3_reach and not (shortest3_apart < N3_pp and N3_pp <
-                longest3_apart) or (v17 <= m1 or v17 <= m2 or (free1 or -k2 <= D1 and (free1 or not
-                (k3 < D1)) or (v16 <= m1 or v16 <= m2))))))))))))))
+            v26 = w3_pp - w3_pp
+            v27 = w3_pm - w3_pm
+            v28 = w3_mp - w3_mp
+            v29 = w3_mm - w3_mm
+            v30 = m5 + m4 * N3_pp
+            v31 = m5 + m4 * N3_pm
+            v32 = m5 + m4 * N3_mp
+            v33 = m5 + m4 * N3_mm
+            v34 = Z1_3_pp * v30
+            v35 = Z1_3_pm * v31
+            v36 = Z1_3_mp * v32
+            v37 = Z1_3_mm * v33
+            v38 = Z2_3_pp * v30
+            v39 = Z2_3_pm * v31
+            v40 = Z2_3_mp * v32
+            v41 = Z2_3_mm * v33
+            v42 = w3_pp * (m4 * Z2_3_pp)
+            v43 = w3_pp * (m4 * Z1_3_pp)
+            v44 = w3_pm * (m4 * Z2_3_pm)
+            v45 = w3_pm * (m4 * Z1_3_pm)
+            v46 = w3_mp * (m4 * Z2_3_mp)
+            v47 = w3_mp * (m4 * Z1_3_mp)
+            v48 = w3_mm * (m4 * Z2_3_mm)
+            v49 = w3_mm * (m4 * Z1_3_mm)
+            doubt1 = (
+                N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
+                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
+                (N3_mp <= free_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
+                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
+                (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
+                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+                (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10
+                <= m2 or (v10 <= m1 or (v9 <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))
+                or v9 <= m1)))))))))))
             )
-            work[544 + k] = v14
-            work[576 + k] = v15
+            work[544 + k] = v7
+            work[576 + k] = v8
             work[608 + k] = s234_p
             work[640 + k] = s234_m
-            work[672 + k] = v33
-            work[704 + k] = v34
-            work[736 + k] = v35
-            work[768 + k] = v36
-            work[800 + k] = doubt
-            work[832 + k] = v9
-            work[864 + k] = -v10
-            work[896 + k] = -v14
-            work[928 + k] = -v15
+            work[672 + k] = v26
+            work[704 + k] = v27
+            work[736 + k] = v28
+            work[768 + k] = v29
+            work[800 + k] = doubt1
+            work[832 + k] = s1_p
+            work[864 + k] = s1_m
+            work[896 + k] = -v7
+            work[928 + k] = -v8
             work[960 + k] = w6_p
             work[992 + k] = w6_m
             work[1024 + k] = s234_p
@@ -1207,46 +1143,46 @@ def _in_tiles(T, q, status):
             work[1120 + k] = w3_pm
             work[1152 + k] = w3_mp
             work[1184 + k] = w3_mm
-            work[1216 + k] = S2_ppp
-            work[1248 + k] = S2_ppm
-            work[1280 + k] = S2_pmp
-            work[1312 + k] = S2_pmm
-            work[1344 + k] = S2_mpp
-            work[1376 + k] = S2_mpm
-            work[1408 + k] = S2_mmp
-            work[1440 + k] = S2_mmm
-            work[1472 + k] = -v4
-            work[1504 + k] = -v5
-            work[1536 + k] = v12
-            work[1568 + k] = v13
+            work[1216 + k] = v42 - v34
+            work[1248 + k] = -(v34 + v42)
+            work[1280 + k] = v44 - v35
+            work[1312 + k] = -(v35 + v44)
+            work[1344 + k] = v46 - v36
+            work[1376 + k] = -(v36 + v46)
+            work[1408 + k] = v48 - v37
+            work[1440 + k] = -(v37 + v48)
+            work[1472 + k] = -v2
+            work[1504 + k] = -v3
+            work[1536 + k] = v5
+            work[1568 + k] = v6
             work[1600 + k] = c5_p
             work[1632 + k] = c5_m
             work[1664 + k] = c234_p
             work[1696 + k] = c234_m
-            work[1728 + k] = K3_pp
-            work[1760 + k] = K3_pm
-            work[1792 + k] = K3_mp
-            work[1824 + k] = K3_mm
-            work[1856 + k] = C2_ppp
-            work[1888 + k] = C2_ppm
-            work[1920 + k] = C2_pmp
-            work[1952 + k] = C2_pmm
-            work[1984 + k] = C2_mpp
-            work[2016 + k] = C2_mpm
-            work[2048 + k] = C2_mmp
-            work[2080 + k] = C2_mmm
+            work[1728 + k] = N3_pp - k4
+            work[1760 + k] = N3_pm - k4
+            work[1792 + k] = N3_mp - k4
+            work[1824 + k] = N3_mm - k4
+            work[1856 + k] = -(v38 + v43)
+            work[1888 + k] = v43 - v38
+            work[1920 + k] = -(v39 + v45)
+            work[1952 + k] = v45 - v39
+            work[1984 + k] = -(v40 + v47)
+            work[2016 + k] = v47 - v40
+            work[2048 + k] = -(v41 + v49)
+            work[2080 + k] = v49 - v41
         for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
-            v14 = work[544 + k]
-            v15 = work[576 + k]
+            v7 = work[544 + k]
+            v8 = work[576 + k]
             s234_p = work[608 + k]
             s234_m = work[640 + k]
-            v33 = work[672 + k]
-            v34 = work[704 + k]
-            v35 = work[736 + k]
-            v36 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v26 = work[672 + k]
+            v27 = work[704 + k]
+            v28 = work[736 + k]
+            v29 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1269,34 +1205,34 @@ def _in_tiles(T, q, status):
             angle1___________________ = work[1440 + k]
             theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
             theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
-            v53 = angle1______ - (angle1________ + angle1____________)
-            v54 = angle1______ - (angle1_____________ - angle1________)
-            v55 = theta234_pm - (angle1_________ + angle1______________)
-            v56 = theta234_pm - (angle1_______________ - angle1_________)
-            v57 = angle1_______ - (angle1__________ + angle1________________)
-            v58 = angle1_______ - (angle1_________________ - angle1__________)
-            v59 = theta234_mm - (angle1___________ + angle1__________________)
-            v60 = theta234_mm - (angle1___________________ - angle1___________)
-            q4_ppp = v53 - (m5 if half_turn < v53 else 0.0) + (m5 if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-            q1_ppp = angle1 + v33
-            q1_pmp = angle1 + v34
-            q1_mpp = angle1_ + v35
-            q1_mmp = angle1_ + v36
-            q5_ppp = angle1____ + v33
-            q5_pmp = v34 - angle1____
-            q5_mpp = angle1_____ + v35
-            q5_mmp = v36 - angle1_____
-            q6_ppp = angle1__ + v33
-            q6_pmp = v34 + (angle1__ - math.copysign(half_turn, -v14) * h1)
-            q6_mpp = angle1___ + v35
-            q6_mmp = v36 + (angle1___ - math.copysign(half_turn, -v15) * h1)
+            v50 = angle1______ - (angle1________ + angle1____________)
+            v51 = angle1______ - (angle1_____________ - angle1________)
+            v52 = theta234_pm - (angle1_________ + angle1______________)
+            v53 = theta234_pm - (angle1_______________ - angle1_________)
+            v54 = angle1_______ - (angle1__________ + angle1________________)
+            v55 = angle1_______ - (angle1_________________ - angle1__________)
+            v56 = theta234_mm - (angle1___________ + angle1__________________)
+            v57 = theta234_mm - (angle1___________________ - angle1___________)
+            q4_ppp = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
+            q4_ppm = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
+            q4_pmp = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
+            q4_pmm = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+            q4_mpp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+            q4_mpm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+            q4_mmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+            q4_mmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+            q1_ppp = angle1 + v26
+            q1_pmp = angle1 + v27
+            q1_mpp = angle1_ + v28
+            q1_mmp = angle1_ + v29
+            q5_ppp = angle1____ + v26
+            q5_pmp = v27 - angle1____
+            q5_mpp = angle1_____ + v28
+            q5_mmp = v29 - angle1_____
+            q6_ppp = angle1__ + v26
+            q6_pmp = v27 + (angle1__ - math.copysign(half_turn, -v7) * h1)
+            q6_mpp = angle1___ + v28
+            q6_mmp = v29 + (angle1___ - math.copysign(half_turn, -v8) * h1)
             _2112 = q1_ppp
             work[2112 + k] = _2112
             _2144 = angle1____________
@@ -1377,7 +1313,7 @@ def _in_tiles(T, q, status):
             work[3424 + k] = UNREACHABLE if _2688 != _2688 else OK
             work[3456 + k] = UNREACHABLE if _2976 != _2976 else OK
             work[3488 + k] = UNREACHABLE if _2976 != _2976 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

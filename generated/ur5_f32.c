@@ -8,6 +8,87 @@
 #include <math.h>
 
 static const float turn = 6.2831855f;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static float wrap(float angle)
+{
+    return angle - turn * ceilf(angle / turn - 0.5f);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef UR5_F32_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const float odd[11] = {
+    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
+    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
+    -0.050853834f, 0.039229743f, -0.019174544f,
+};
+#endif
+
+#define LANES 1
+typedef float wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysignf
+#define abs_wide fabsf
+#define sqrt_wide sqrtf
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef UR5_F32_LIBM
+#define atan2_wide atan2f
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0f;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421357f;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
+    const wide known = pick_wide(left, 3.1415927f - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+}
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#define kind_of(none, outside) \
+    ((none) ? (int)UR5_F32_UNREACHABLE \
+        : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
 static const float d1 = 0.089159f; /* joint offset 1 [m] */
 static const float a2 = -0.425f; /* link length 2 [m] */
 static const float a3 = -0.39225f; /* link length 3 [m] */
@@ -36,8 +117,9 @@ static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
 static const float m1 = 4e-10f; /* free_limit^2 */
 static const float m2 = 1e-06f; /* near_limit^2 */
-static const float m4 = 3.235688e-19f; /* free_limit_squared2^2 [m^4] */
-static const float m5 = 6.2831855f; /* 2 * half_turn */
+static const float m4 = 1.1764706f; /* a coefficient of S2 */
+static const float m5 = 0.03148816f; /* a coefficient of S2 */
+static const float m6 = 6.2831855f; /* 2 * half_turn */
 static const float h1 = 1.0f; /* 2 * m3 */
 
 const char *const ur5_f32_branches[8] = {
@@ -53,12 +135,6 @@ static const float highest[6] = {
     6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f,
     6.2831855f,
 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static float wrap(float angle)
-{
-    return angle - turn * ceilf(angle / turn - 0.5f);
-}
 
 void ur5_f32_fk(const float q[6], float T[16])
 {
@@ -225,79 +301,6 @@ static int read_pose(const float given[16], float T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef UR5_F32_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const float odd[11] = {
-    -0.33333334f, 0.2f, -0.14285715f, 0.11111111f,
-    -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
-    -0.050853834f, 0.039229743f, -0.019174544f,
-};
-#endif
-
-#define LANES 1
-typedef float wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysignf
-#define abs_wide fabsf
-#define sqrt_wide sqrtf
-#ifdef UR5_F32_LIBM
-#define atan2_wide atan2f
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0f;
-    const wide lower = ax * 0.41421357f, inner = ay * 0.41421357f;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
-    const wide known = pick_wide(left, 3.1415927f - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)UR5_F32_UNREACHABLE \
-        : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
@@ -314,197 +317,165 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask free1 = N1 <= free_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0f / N1;
-    const wide v1 = d4 * X1;
-    const wide v2 = d4 * wy;
-    const wide v3 = X1 * w1;
-    const wide v4 = v2 + v3;
-    const wide v5 = v2 - v3;
-    const wide v6 = inverse1 * v4;
-    const wide v7 = inverse1 * v5;
-    const wide v8 = wy * w1;
-    const wide v9 = v8 - v1;
-    const wide v10 = v1 + v8;
-    const wide s1_p = inverse1 * v9;
-    const wide v11 = inverse1 * v10;
-    const wide angle1 = atan2_wide(v9, -v4);
-    const wide angle1_ = atan2_wide(-v10, -v5);
+    const wide v1 = inverse1 * (d4 * wy);
+    const wide v2 = v1 + w1 * (X1 * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -X1);
+    const wide v4 = inverse1 * (d4 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v4;
+    const wide s1_m = w1 * (inverse1 * -wy) - v4;
+    const wide angle1 = atan2_wide(s1_p, -v2);
+    const wide angle1_ = atan2_wide(s1_m, -v3);
 
     /* theta6 */
-    const wide v12 = v6 * T21 + s1_p * T11;
-    const wide v13 = v7 * T21 - v11 * T11;
-    const wide v14 = v6 * T22 + s1_p * T12;
-    const wide v15 = v7 * T22 - v11 * T12;
-    const wide v16 = v12 * v12 + v14 * v14;
-    const wide v17 = v13 * v13 + v15 * v15;
-    const wide w6_p = sqrt_wide(v16);
-    const wide w6_m = sqrt_wide(v17);
+    const wide v5 = v2 * T21 + s1_p * T11;
+    const wide v6 = v3 * T21 + s1_m * T11;
+    const wide v7 = v2 * T22 + s1_p * T12;
+    const wide v8 = v3 * T22 + s1_m * T12;
+    const wide v9 = v5 * v5 + v7 * v7;
+    const wide v10 = v6 * v6 + v8 * v8;
+    const wide w6_p = sqrt_wide(v9);
+    const wide w6_m = sqrt_wide(v10);
     const wide factor6_p = 1.0f / w6_p;
     const wide factor6_m = 1.0f / w6_m;
-    const wide c6_p = v12 * factor6_p;
-    const wide c6_m = v13 * factor6_m;
-    const wide v18 = v14 * factor6_p;
-    const wide v19 = v15 * factor6_m;
-    const wide angle1__ = atan2_wide(-v14, v12);
-    const wide angle1___ = atan2_wide(-v15, v13);
+    const wide c6_p = v5 * factor6_p;
+    const wide c6_m = v6 * factor6_m;
+    const wide v11 = v7 * factor6_p;
+    const wide v12 = v8 * factor6_m;
+    const wide angle1__ = atan2_wide(-v7, v5);
+    const wide angle1___ = atan2_wide(-v8, v6);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v6;
-    const wide c5_m = T23 * v7 - T13 * v11;
+    const wide c5_p = T13 * s1_p + T23 * v2;
+    const wide c5_m = T13 * s1_m + T23 * v3;
     const wide angle1____ = atan2_wide(w6_p, c5_p);
     const wide angle1_____ = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide c234_p = c6_p * T32 - v18 * T31;
-    const wide c234_m = c6_m * T32 - v19 * T31;
-    const wide s234_p = c5_p * (c6_p * T31 + v18 * T32) - w6_p * T33;
-    const wide s234_m = c5_m * (c6_m * T31 + v19 * T32) - w6_m * T33;
+    const wide c234_p = c6_p * T32 - v11 * T31;
+    const wide c234_m = c6_m * T32 - v12 * T31;
+    const wide s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33;
+    const wide s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33;
     const wide angle1______ = atan2_wide(s234_p, c234_p);
     const wide angle1_______ = atan2_wide(s234_m, c234_m);
     const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), s234_p);
     const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s234_m);
 
     /* theta3 */
-    const wide v20 = d6 * w6_p;
-    const wide v21 = d6 * w6_m;
-    const wide v22 = T34 - d1;
-    const wide v23 = d5 * c234_p;
-    const wide v24 = d5 * c234_m;
-    const wide v25 = s234_p * v20;
-    const wide v26 = s234_m * v21;
-    const wide Z1_3_pp = v22 + (v23 + v25);
-    const wide Z1_3_pm = v22 + (v25 - v23);
-    const wide Z1_3_mp = v22 + (v24 + v26);
-    const wide Z1_3_mm = v22 + (v26 - v24);
-    const wide v27 = T24 * s1_p - T14 * v6;
-    const wide v28 = T24 * v11 + T14 * v7;
-    const wide v29 = c234_p * v20;
-    const wide v30 = c234_m * v21;
-    const wide v31 = d5 * s234_p;
-    const wide v32 = d5 * s234_m;
-    const wide Z2_3_pp = v27 + (v29 - v31);
-    const wide Z2_3_pm = v27 + (v29 + v31);
-    const wide Z2_3_mp = v30 - v32 - v28;
-    const wide Z2_3_mm = v30 + v32 - v28;
+    const wide v13 = d6 * w6_p;
+    const wide v14 = d6 * w6_m;
+    const wide v15 = T34 - d1;
+    const wide v16 = d5 * c234_p;
+    const wide v17 = d5 * c234_m;
+    const wide v18 = s234_p * v13;
+    const wide v19 = s234_m * v14;
+    const wide Z1_3_pp = v15 + (v16 + v18);
+    const wide Z1_3_pm = v15 + (v18 - v16);
+    const wide Z1_3_mp = v15 + (v17 + v19);
+    const wide Z1_3_mm = v15 + (v19 - v17);
+    const wide v20 = T24 * s1_p - T14 * v2;
+    const wide v21 = T24 * s1_m - T14 * v3;
+    const wide v22 = c234_p * v13;
+    const wide v23 = c234_m * v14;
+    const wide v24 = d5 * s234_p;
+    const wide v25 = d5 * s234_m;
+    const wide Z2_3_pp = v20 + (v22 - v24);
+    const wide Z2_3_pm = v20 + (v22 + v24);
+    const wide Z2_3_mp = v21 + (v23 - v25);
+    const wide Z2_3_mm = v21 + (v23 + v25);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
     const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
-    const wide K3_pp = N3_pp - k4;
-    const wide K3_pm = N3_pm - k4;
-    const wide K3_mp = N3_mp - k4;
-    const wide K3_mm = N3_mm - k4;
     const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v33 = w3_pp - w3_pp;
-    const wide v34 = w3_pm - w3_pm;
-    const wide v35 = w3_mp - w3_mp;
-    const wide v36 = w3_mm - w3_mm;
-    const wide angle1________ = atan2_wide(w3_pp, K3_pp);
-    const wide angle1_________ = atan2_wide(w3_pm, K3_pm);
-    const wide angle1__________ = atan2_wide(w3_mp, K3_mp);
-    const wide angle1___________ = atan2_wide(w3_mm, K3_mm);
+    const wide v26 = w3_pp - w3_pp;
+    const wide v27 = w3_pm - w3_pm;
+    const wide v28 = w3_mp - w3_mp;
+    const wide v29 = w3_mm - w3_mm;
+    const wide angle1________ = atan2_wide(w3_pp, N3_pp - k4);
+    const wide angle1_________ = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle1__________ = atan2_wide(w3_mp, N3_mp - k4);
+    const wide angle1___________ = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide X1_2_pp = a2 + a3 * (k5 * K3_pp);
-    const wide X1_2_pm = a2 + a3 * (k5 * K3_pm);
-    const wide X1_2_mp = a2 + a3 * (k5 * K3_mp);
-    const wide X1_2_mm = a2 + a3 * (k5 * K3_mm);
-    const wide Y1_2_pp = a3 * (k5 * w3_pp);
-    const wide Y1_2_pm = a3 * (k5 * w3_pm);
-    const wide Y1_2_mp = a3 * (k5 * w3_mp);
-    const wide Y1_2_mm = a3 * (k5 * w3_mm);
-    const wide v37 = Z1_3_pp * X1_2_pp;
-    const wide v38 = Z1_3_pm * X1_2_pm;
-    const wide v39 = Z1_3_mp * X1_2_mp;
-    const wide v40 = Z1_3_mm * X1_2_mm;
-    const wide v41 = Z2_3_pp * Y1_2_pp;
-    const wide v42 = Z2_3_pm * Y1_2_pm;
-    const wide v43 = Z2_3_mp * Y1_2_mp;
-    const wide v44 = Z2_3_mm * Y1_2_mm;
-    const wide S2_ppp = v37 - v41;
-    const wide S2_ppm = v37 + v41;
-    const wide S2_pmp = v38 - v42;
-    const wide S2_pmm = v38 + v42;
-    const wide S2_mpp = v39 - v43;
-    const wide S2_mpm = v39 + v43;
-    const wide S2_mmp = v40 - v44;
-    const wide S2_mmm = v40 + v44;
-    const wide v45 = Z2_3_pp * X1_2_pp;
-    const wide v46 = Z2_3_pm * X1_2_pm;
-    const wide v47 = Z2_3_mp * X1_2_mp;
-    const wide v48 = Z2_3_mm * X1_2_mm;
-    const wide v49 = Z1_3_pp * Y1_2_pp;
-    const wide v50 = Z1_3_pm * Y1_2_pm;
-    const wide v51 = Z1_3_mp * Y1_2_mp;
-    const wide v52 = Z1_3_mm * Y1_2_mm;
-    const wide C2_ppp = v45 + v49;
-    const wide C2_ppm = v45 - v49;
-    const wide C2_pmp = v46 + v50;
-    const wide C2_pmm = v46 - v50;
-    const wide C2_mpp = v47 + v51;
-    const wide C2_mpm = v47 - v51;
-    const wide C2_mmp = v48 + v52;
-    const wide C2_mmm = v48 - v52;
-    const wide angle1____________ = atan2_wide(S2_ppp, C2_ppp);
-    const wide angle1_____________ = atan2_wide(S2_ppm, C2_ppm);
-    const wide angle1______________ = atan2_wide(S2_pmp, C2_pmp);
-    const wide angle1_______________ = atan2_wide(S2_pmm, C2_pmm);
-    const wide angle1________________ = atan2_wide(S2_mpp, C2_mpp);
-    const wide angle1_________________ = atan2_wide(S2_mpm, C2_mpm);
-    const wide angle1__________________ = atan2_wide(S2_mmp, C2_mmp);
-    const wide angle1___________________ = atan2_wide(S2_mmm, C2_mmm);
+    const wide v30 = m5 + m4 * N3_pp;
+    const wide v31 = m5 + m4 * N3_pm;
+    const wide v32 = m5 + m4 * N3_mp;
+    const wide v33 = m5 + m4 * N3_mm;
+    const wide v34 = Z1_3_pp * v30;
+    const wide v35 = Z1_3_pm * v31;
+    const wide v36 = Z1_3_mp * v32;
+    const wide v37 = Z1_3_mm * v33;
+    const wide v38 = Z2_3_pp * v30;
+    const wide v39 = Z2_3_pm * v31;
+    const wide v40 = Z2_3_mp * v32;
+    const wide v41 = Z2_3_mm * v33;
+    const wide v42 = w3_pp * (m4 * Z2_3_pp);
+    const wide v43 = w3_pp * (m4 * Z1_3_pp);
+    const wide angle1____________ = atan2_wide(v42 - v34, -(v38 + v43));
+    const wide angle1_____________ = atan2_wide(-(v34 + v42), v43 - v38);
+    const wide v44 = w3_pm * (m4 * Z2_3_pm);
+    const wide v45 = w3_pm * (m4 * Z1_3_pm);
+    const wide angle1______________ = atan2_wide(v44 - v35, -(v39 + v45));
+    const wide angle1_______________ = atan2_wide(-(v35 + v44), v45 - v39);
+    const wide v46 = w3_mp * (m4 * Z2_3_mp);
+    const wide v47 = w3_mp * (m4 * Z1_3_mp);
+    const wide angle1________________ = atan2_wide(v46 - v36, -(v40 + v47));
+    const wide angle1_________________ = atan2_wide(-(v36 + v46), v47 - v40);
+    const wide v48 = w3_mm * (m4 * Z2_3_mm);
+    const wide v49 = w3_mm * (m4 * Z1_3_mm);
+    const wide angle1__________________ = atan2_wide(v48 - v37, -(v41 + v49));
+    const wide angle1___________________ = atan2_wide(-(v37 + v48), v49 - v41);
 
     /* joint values */
-    const wide v53 = angle1______ - (angle1________ + angle1____________);
-    const wide v54 = angle1______ - (angle1_____________ - angle1________);
-    const wide v55 = theta234_pm - (angle1_________ + angle1______________);
-    const wide v56 = theta234_pm - (angle1_______________ - angle1_________);
-    const wide v57 = angle1_______ - (angle1__________ + angle1________________);
-    const wide v58 = angle1_______ - (angle1_________________ - angle1__________);
-    const wide v59 = theta234_mm - (angle1___________ + angle1__________________);
-    const wide v60 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v53 - pick_wide(half_turn < v53, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v53 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_ppm = v54 - pick_wide(half_turn < v54, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v54 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_pmp = v55 - pick_wide(half_turn < v55, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v55 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_pmm = v56 - pick_wide(half_turn < v56, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v56 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_mpp = v57 - pick_wide(half_turn < v57, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v57 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_mpm = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v58 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_mmp = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v59 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q4_mmm = v60 - pick_wide(half_turn < v60, all_wide(m5), all_wide(0.0f)) +
-        pick_wide(v60 <= -half_turn, all_wide(m5), all_wide(0.0f));
-    const wide q1_ppp = angle1 + v33;
-    const wide q1_pmp = angle1 + v34;
-    const wide q1_mpp = angle1_ + v35;
-    const wide q1_mmp = angle1_ + v36;
-    const wide q5_ppp = angle1____ + v33;
-    const wide q5_pmp = v34 - angle1____;
-    const wide q5_mpp = angle1_____ + v35;
-    const wide q5_mmp = v36 - angle1_____;
-    const wide q6_ppp = angle1__ + v33;
-    const wide q6_pmp = v34 + (angle1__ - copysign_wide(all_wide(half_turn), -v14) * h1);
-    const wide q6_mpp = angle1___ + v35;
-    const wide q6_mmp = v36 + (angle1___ - copysign_wide(all_wide(half_turn), -v15) * h1);
-    const wide_mask doubt = (S2_mmm * S2_mmm + C2_mmm * C2_mmm <= m4) | ((S2_mmp * S2_mmp + C2_mmp *
-        C2_mmp <= m4) | ((S2_mpm * S2_mpm + C2_mpm * C2_mpm <= m4) | ((S2_mpp * S2_mpp + C2_mpp *
-        C2_mpp <= m4) | ((S2_pmm * S2_pmm + C2_pmm * C2_pmm <= m4) | ((S2_pmp * S2_pmp + C2_pmp *
-        C2_pmp <= m4) | ((S2_ppm * S2_ppm + C2_ppm * C2_ppm <= m4) | ((S2_ppp * S2_ppp + C2_ppp *
-        C2_ppp <= m4) | ((((shortest3_reach <= N3_mm) & (N3_mm <= longest3_reach)) &
-        (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | ((((shortest3_reach <=
-        N3_mp) & (N3_mp <= longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp <
-        longest3_apart)) == 0)) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((((shortest3_reach <=
-        N3_pp) & (N3_pp <= longest3_reach)) & (((shortest3_apart < N3_pp) & (N3_pp <
-        longest3_apart)) == 0)) | (((v17 <= m1) | (v17 <= m2)) | ((free1 | ((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0)))) | ((v16 <= m1) | (v16 <= m2)))))))))))))));
+    const wide v50 = angle1______ - (angle1________ + angle1____________);
+    const wide v51 = angle1______ - (angle1_____________ - angle1________);
+    const wide v52 = theta234_pm - (angle1_________ + angle1______________);
+    const wide v53 = theta234_pm - (angle1_______________ - angle1_________);
+    const wide v54 = angle1_______ - (angle1__________ + angle1________________);
+    const wide v55 = angle1_______ - (angle1_________________ - angle1__________);
+    const wide v56 = theta234_mm - (angle1___________ + angle1__________________);
+    const wide v57 = theta234_mm - (angle1___________________ - angle1___________);
+    const wide q4_ppp = v50 - pick_wide(half_turn < v50, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v50 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_ppm = v51 - pick_wide(half_turn < v51, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v51 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_pmp = v52 - pick_wide(half_turn < v52, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v52 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_pmm = v53 - pick_wide(half_turn < v53, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v53 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_mpp = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_mpm = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_mmp = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q4_mmm = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0f)) +
+        pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0f));
+    const wide q1_ppp = angle1 + v26;
+    const wide q1_pmp = angle1 + v27;
+    const wide q1_mpp = angle1_ + v28;
+    const wide q1_mmp = angle1_ + v29;
+    const wide q5_ppp = angle1____ + v26;
+    const wide q5_pmp = v27 - angle1____;
+    const wide q5_mpp = angle1_____ + v28;
+    const wide q5_mmp = v29 - angle1_____;
+    const wide q6_ppp = angle1__ + v26;
+    const wide q6_pmp = v27 + (angle1__ - copysign_wide(all_wide(half_turn), -v7) * h1);
+    const wide q6_mpp = angle1___ + v28;
+    const wide q6_mmp = v29 + (angle1___ - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
+        <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
+        ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
+        & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
+        free_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((v10 <= m2) | ((v10 <= m1)
+        | ((v9 <= m2) | ((free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))) | (v9 <=
+        m1))))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle1____________;
@@ -563,7 +534,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[8])

@@ -272,7 +272,7 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[1, 3]
     v1 = T11 * T11 + T31 * T31
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
     angle1 = _atan2(-T31, T11)
     q1_m = angle1 - math.copysign(half_turn, -T31) * h1
 
@@ -285,7 +285,7 @@ def _regular(pose, q, status):
     angle1__ = _atan2(s3, T11 * T33 - T31 * T13)
     q3_m = angle1__ - h1 * math.copysign(half_turn, s3)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1_
@@ -465,9 +465,9 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             v1 = T11 * T11 + T31 * T31
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             s3 = T11 * T32 - T31 * T12
-            work[544 + k] = doubt
+            work[544 + k] = doubt1
             work[576 + k] = s3
             work[608 + k] = -T31
             work[640 + k] = T21
@@ -480,7 +480,7 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             T21 = work[128 + k]
             T31 = work[256 + k]
-            doubt = work[544 + k] != 0.0
+            doubt1 = work[544 + k] != 0.0
             s3 = work[576 + k]
             angle1 = work[608 + k]
             angle1_ = work[640 + k]
@@ -502,7 +502,7 @@ def _in_tiles(T, q, status):
             work[960 + k] = _960
             work[992 + k] = UNREACHABLE if _800 != _800 else OK
             work[1024 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

@@ -9,6 +9,302 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef WRIST_OBLIQUE_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DWRIST_OBLIQUE_SCALAR. With -DWRIST_OBLIQUE_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(WRIST_OBLIQUE_SCALAR) && !defined(WRIST_OBLIQUE_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef WRIST_OBLIQUE_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & WRIST_OBLIQUE_UNREACHABLE) \
+        | (~(none) & (outside) & WRIST_OBLIQUE_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)WRIST_OBLIQUE_UNREACHABLE \
+        : (outside) ? (int)WRIST_OBLIQUE_OUT_OF_LIMITS : 0)
+#endif
 static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
 static const double ca2 = 0.6427876096865394; /* cosine of twist 2 */
 static const double sa2 = 0.766044443118978; /* sine of twist 2 */
@@ -34,7 +330,10 @@ static const double f4 = 0.3213938048432697; /* ca2 * 1 / 2 */
 static const double g1 = 0.5; /* 1 / 2 */
 static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
 static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 0.383022221559489; /* a coefficient of S3 */
+static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m3 = 0.2541022842412185; /* a coefficient of v10 */
+static const double m4 = 1.2855752193730787; /* a coefficient of v18 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -157,209 +456,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef WRIST_OBLIQUE_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DWRIST_OBLIQUE_SCALAR. With -DWRIST_OBLIQUE_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(WRIST_OBLIQUE_SCALAR) && !defined(WRIST_OBLIQUE_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef WRIST_OBLIQUE_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & WRIST_OBLIQUE_UNREACHABLE) \
-        | (~(none) & (outside) & WRIST_OBLIQUE_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)WRIST_OBLIQUE_UNREACHABLE \
-        : (outside) ? (int)WRIST_OBLIQUE_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
@@ -380,127 +476,139 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide inverse1 = 1.0 / N1;
     const wide v3 = v1 * Z1;
     const wide v4 = Y1 * Z1;
-    const wide v5 = v1 * w1;
-    const wide v6 = v4 + v5;
-    const wide v7 = v4 - v5;
-    const wide c1_p = inverse1 * v6;
-    const wide c1_m = inverse1 * v7;
-    const wide v8 = Y1 * w1;
-    const wide v9 = v8 - v3;
-    const wide v10 = v3 + v8;
-    const wide s1_p = inverse1 * v9;
-    const wide v11 = inverse1 * v10;
+    const wide v5 = v1 * inverse1;
+    const wide v6 = inverse1 * v4;
+    const wide v7 = w1 * v5;
+    const wide c1_p = v6 + v7;
+    const wide c1_m = v6 - v7;
+    const wide v8 = Y1 * inverse1;
+    const wide v9 = inverse1 * v3;
+    const wide v10 = w1 * v8;
+    const wide s1_p = v10 - v9;
+    const wide v11 = v9 + v10;
 
     /* theta3 */
     const wide v12 = sqrt3 * T22;
     const wide v13 = sqrt3 * T12;
     const wide v14 = sqrt3 * T21;
     const wide v15 = sqrt3 * T11;
-    const wide S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)));
-    const wide S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)));
-    const wide C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)));
-    const wide C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)));
-    const wide v16 = S3_p * S3_p + C3_p * C3_p;
-    const wide v17 = S3_m * S3_m + C3_m * C3_m;
-    const wide v18 = 1.0 / sqrt_wide(v16);
-    const wide v19 = 1.0 / sqrt_wide(v17);
-    const wide v20 = C3_p * v18;
-    const wide v21 = C3_m * v19;
-    const wide v22 = S3_p * v18;
-    const wide v23 = S3_m * v19;
+    const wide v16 = Y1 * v15 - v1 * v14;
+    const wide v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14));
+    const wide S3_p = v17 + w1 * (m1 * (inverse1 * v16));
+    const wide S3_m = v17 + w1 * (m1 * (inverse1 * -v16));
+    const wide v18 = Y1 * v13 - v1 * v12;
+    const wide v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12));
+    const wide C3_p = v19 + w1 * (m1 * (inverse1 * v18));
+    const wide C3_m = v19 + w1 * (m1 * (inverse1 * -v18));
+    const wide v20 = S3_p * S3_p + C3_p * C3_p;
+    const wide v21 = S3_m * S3_m + C3_m * C3_m;
+    const wide v22 = 1.0 / sqrt_wide(v20);
+    const wide v23 = 1.0 / sqrt_wide(v21);
+    const wide v24 = C3_p * v22;
+    const wide v25 = C3_m * v23;
+    const wide v26 = S3_p * v22;
+    const wide v27 = S3_m * v23;
 
     /* theta2 */
-    const wide v24 = k4 * (T32 * v22 - T31 * v20);
-    const wide v25 = k4 * (T32 * v23 - T31 * v21);
-    const wide v26 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v27 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v28 = v26 * v26;
-    const wide v29 = v28 + v24 * v24;
-    const wide v30 = v28 + v25 * v25;
-    const wide factor2_p = v27 / sqrt_wide(v29);
-    const wide factor2_m = v27 / sqrt_wide(v30);
-    const wide v31 = v26 * factor2_p;
-    const wide v32 = v26 * factor2_m;
-    const wide v33 = v24 * factor2_p;
-    const wide v34 = v25 * factor2_m;
+    const wide v28 = v12 * T31 - v14 * T32;
+    const wide v29 = v15 * T32 - v13 * T31;
+    const wide v30 = v3 * -v29 + v4 * v28;
+    const wide v31 = w1 * (v1 * v28 + Y1 * v29);
+    const wide v32 = v22 * (m3 * (inverse1 * (v30 + v31)));
+    const wide v33 = v23 * (m3 * (inverse1 * (v30 - v31)));
+    const wide v34 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v35 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v36 = v34 * v34;
+    const wide v37 = v36 + v32 * v32;
+    const wide v38 = v36 + v33 * v33;
+    const wide factor2_p = v35 / sqrt_wide(v37);
+    const wide factor2_m = v35 / sqrt_wide(v38);
+    const wide v39 = v34 * factor2_p;
+    const wide v40 = v34 * factor2_m;
+    const wide v41 = v32 * factor2_p;
+    const wide v42 = v33 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v35 = 2.0 * c1_p;
-    const wide v36 = 2.0 * c1_m;
-    const wide v37 = ca2 * s1_p;
-    const wide v38 = ca2 * v11;
-    const wide v39 = s1_p * v20;
-    const wide v40 = v11 * v21;
-    const wide v41 = ca2 * c1_p;
-    const wide v42 = ca2 * c1_m;
-    const wide v43 = 2.0 * v41;
-    const wide v44 = 2.0 * v42;
-    const wide v45 = s1_p * v22;
-    const wide v46 = v11 * v23;
-    const wide v47 = sa2 * s1_p;
-    const wide v48 = sa2 * v11;
-    const wide v49 = sa2 * c1_p;
-    const wide v50 = sa2 * c1_m;
-    const wide v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p);
-    const wide v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11);
-    const wide v53 = 2.0 * s1_p;
-    const wide v54 = 2.0 * v11;
-    const wide v55 = c1_p * v20;
-    const wide v56 = c1_m * v21;
-    const wide v57 = 2.0 * v37;
-    const wide v58 = 2.0 * v38;
-    const wide v59 = c1_p * v22;
-    const wide v60 = c1_m * v23;
-    const wide v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p);
-    const wide v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m);
-    const wide v63 = sqrt3 * v22;
-    const wide v64 = sqrt3 * v23;
-    const wide v65 = sqrt3 * v20;
-    const wide v66 = sqrt3 * v21;
-    const wide v67 = ca2 - k3 * v31;
-    const wide v68 = ca2 - k3 * v32;
-    const double v69 = sqrt(-1.0);
-    const wide v70 = pick_wide((abs_wide(T34 - k1 * (d3 * v67)) <= pose_slack1) & ((abs_wide(T33 -
-        k1 * v67) <= pose_slack) & ((abs_wide(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 *
-        v20)) <= pose_slack) & ((abs_wide(T31 - k1 * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <=
-        pose_slack) & ((abs_wide(T24 - k1 * (d3 * v61)) <= pose_slack1) & ((abs_wide(T23 - k1 * v61)
-        <= pose_slack) & ((abs_wide(T22 + k1 * (v31 * (v22 * v53 - v20 * v41) + v33 * (v59 + v20 *
-        v57) + sa2 * (sqrt3 * v55))) <= pose_slack) & ((abs_wide(T21 - k1 * (v31 * (v20 * v53 + v22
-        * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <= pose_slack) & ((abs_wide(T14 -
-        k1 * (d3 * v51)) <= pose_slack1) & ((abs_wide(T13 - k1 * v51) <= pose_slack) &
-        ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 * (v39 +
-        v22 * v43)))) <= pose_slack) & (abs_wide(T12 + k1 * (v31 * (v20 * v37 + v22 * v35) - v33 *
-        (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v69));
-    const wide v71 = pick_wide((abs_wide(T34 - k1 * (d3 * v68)) <= pose_slack1) & ((abs_wide(T33 -
-        k1 * v68) <= pose_slack) & ((abs_wide(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 *
-        v21)) <= pose_slack) & ((abs_wide(T31 - k1 * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <=
-        pose_slack) & ((abs_wide(T24 + k1 * (d3 * v62)) <= pose_slack1) & ((abs_wide(T23 + k1 * v62)
-        <= pose_slack) & ((abs_wide(T22 + k1 * (v34 * (v60 - v21 * v58) - v32 * (v23 * v54 + v21 *
-        v42) + sa2 * (sqrt3 * v56))) <= pose_slack) & ((abs_wide(T21 - k1 * (v32 * (v23 * v42 - v21
-        * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <= pose_slack) & ((abs_wide(T14 -
-        k1 * (d3 * v52)) <= pose_slack1) & ((abs_wide(T13 - k1 * v52) <= pose_slack) &
-        ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23 * v38 +
-        v21 * v36)))) <= pose_slack) & (abs_wide(T12 + k1 * (v32 * (v23 * v36 - v21 * v38) + v34 *
-        (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v69));
+    const wide v43 = 2.0 * c1_p;
+    const wide v44 = 2.0 * c1_m;
+    const wide v45 = ca2 * s1_p;
+    const wide v46 = ca2 * v11;
+    const wide v47 = s1_p * v24;
+    const wide v48 = v11 * v25;
+    const wide v49 = ca2 * c1_p;
+    const wide v50 = ca2 * c1_m;
+    const wide v51 = m4 * v6;
+    const wide v52 = w1 * (m4 * v5);
+    const wide v53 = v51 + v52;
+    const wide v54 = v51 - v52;
+    const wide v55 = s1_p * v26;
+    const wide v56 = v11 * v27;
+    const wide v57 = sa2 * s1_p;
+    const wide v58 = sa2 * v11;
+    const wide v59 = sa2 * c1_p;
+    const wide v60 = sa2 * c1_m;
+    const wide v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p);
+    const wide v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11);
+    const wide v63 = 2.0 * s1_p;
+    const wide v64 = 2.0 * v11;
+    const wide v65 = c1_p * v24;
+    const wide v66 = c1_m * v25;
+    const wide v67 = m4 * v9;
+    const wide v68 = w1 * (m4 * v8);
+    const wide v69 = v68 - v67;
+    const wide v70 = v67 + v68;
+    const wide v71 = c1_p * v26;
+    const wide v72 = c1_m * v27;
+    const wide v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p);
+    const wide v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m);
+    const wide v75 = sqrt3 * v26;
+    const wide v76 = sqrt3 * v27;
+    const wide v77 = sqrt3 * v24;
+    const wide v78 = sqrt3 * v25;
+    const wide v79 = ca2 - k3 * v39;
+    const wide v80 = ca2 - k3 * v40;
+    const double v81 = sqrt(-1.0);
+    const wide v82 = pick_wide((abs_wide(T34 - k1 * (d3 * v79)) <= pose_slack1) & ((abs_wide(T33 -
+        k1 * v79) <= pose_slack) & ((abs_wide(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 *
+        v24)) <= pose_slack) & ((abs_wide(T31 - k1 * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <=
+        pose_slack) & ((abs_wide(T24 - k1 * (d3 * v73)) <= pose_slack1) & ((abs_wide(T23 - k1 * v73)
+        <= pose_slack) & ((abs_wide(T22 + k1 * (v39 * (v26 * v63 - v24 * v49) + v41 * (v71 + v24 *
+        v69) + sa2 * (sqrt3 * v65))) <= pose_slack) & ((abs_wide(T21 - k1 * (v39 * (v24 * v63 + v26
+        * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <= pose_slack) & ((abs_wide(T14 -
+        k1 * (d3 * v61)) <= pose_slack1) & ((abs_wide(T13 - k1 * v61) <= pose_slack) &
+        ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 * (v47 +
+        v26 * v53)))) <= pose_slack) & (abs_wide(T12 + k1 * (v39 * (v24 * v45 + v26 * v43) - v41 *
+        (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v81));
+    const wide v83 = pick_wide((abs_wide(T34 - k1 * (d3 * v80)) <= pose_slack1) & ((abs_wide(T33 -
+        k1 * v80) <= pose_slack) & ((abs_wide(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 *
+        v25)) <= pose_slack) & ((abs_wide(T31 - k1 * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <=
+        pose_slack) & ((abs_wide(T24 + k1 * (d3 * v74)) <= pose_slack1) & ((abs_wide(T23 + k1 * v74)
+        <= pose_slack) & ((abs_wide(T22 + k1 * (v42 * (v72 - v25 * v70) - v40 * (v27 * v64 + v25 *
+        v50) + sa2 * (sqrt3 * v66))) <= pose_slack) & ((abs_wide(T21 - k1 * (v40 * (v27 * v50 - v25
+        * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <= pose_slack) & ((abs_wide(T14 -
+        k1 * (d3 * v62)) <= pose_slack1) & ((abs_wide(T13 - k1 * v62) <= pose_slack) &
+        ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27 * v46 +
+        v25 * v44)))) <= pose_slack) & (abs_wide(T12 + k1 * (v40 * (v27 * v44 - v25 * v46) + v42 *
+        (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))), all_wide(0.0),
+        all_wide(v81));
 
     /* joint values */
-    const wide angle1 = atan2_wide(v9, v6);
-    const wide q1_p = v70 + angle1;
-    const wide angle1_ = atan2_wide(-v10, v7);
-    const wide q1_m = v71 + angle1_;
-    const wide angle1__ = atan2_wide(-v33, -v31);
-    const wide q2_p = v70 + angle1__;
-    const wide angle1___ = atan2_wide(-v34, -v32);
-    const wide q2_m = v71 + angle1___;
+    const wide angle1 = atan2_wide(s1_p, c1_p);
+    const wide q1_p = v82 + angle1;
+    const wide angle1_ = atan2_wide(-v11, c1_m);
+    const wide q1_m = v83 + angle1_;
+    const wide angle1__ = atan2_wide(-v41, -v39);
+    const wide q2_p = v82 + angle1__;
+    const wide angle1___ = atan2_wide(-v42, -v40);
+    const wide q2_m = v83 + angle1___;
     const wide angle1____ = atan2_wide(-S3_p, -C3_p);
-    const wide q3_p = v70 + angle1____;
+    const wide q3_p = v82 + angle1____;
     const wide angle1_____ = atan2_wide(-S3_m, -C3_m);
-    const wide q3_m = v71 + angle1_____;
-    const wide_mask doubt = ((v17 <= m1) | (v30 <= m1)) | ((free1 | ((-(reach_slack1 * (reach_slack1
-        + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)))) | ((v16 <= m1)
-        | (v29 <= m1)));
+    const wide q3_m = v83 + angle1_____;
+    const wide_mask doubt1 = (v38 <= m2) | ((v21 <= m2) | ((v37 <= m2) | ((free1 | ((-(reach_slack1
+        * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0))))
+        | (v20 <= m2))));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -511,73 +619,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     q[5] = q3_m;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
@@ -599,126 +644,100 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double inverse1 = 1.0 / N1;
     const double v3 = v1 * Z1;
     const double v4 = Y1 * Z1;
-    const double v5 = v1 * w1;
-    const four v6 = v4 + e1 * v5;
-    const four c1 = inverse1 * v6;
-    const double v7 = Y1 * w1;
-    const four v8 = e1 * v7 - v3;
-    const four s1 = inverse1 * v8;
+    const four v5 = inverse1 * (e1 * v1);
+    const double v6 = inverse1 * v4;
+    const four c1 = v6 + w1 * v5;
+    const four v7 = inverse1 * (e1 * Y1);
+    const double v8 = inverse1 * v3;
+    const four s1 = w1 * v7 - v8;
 
     /* theta3 */
     const double v9 = sqrt3 * T22;
     const double v10 = sqrt3 * T12;
     const double v11 = sqrt3 * T21;
     const double v12 = sqrt3 * T11;
-    const four S3 = sa2 * (k1 * (T31 + (s1 * v12 - c1 * v11)));
-    const four C3 = sa2 * (k1 * (T32 + (s1 * v10 - c1 * v9)));
-    const four v13 = S3 * S3 + C3 * C3;
-    const four v14 = 1.0 / sqrt_four(v13);
-    const four v15 = C3 * v14;
-    const four v16 = S3 * v14;
+    const double v13 = Y1 * v12 - v1 * v11;
+    const double v14 = m1 * (T31 - inverse1 * (v3 * v12 + v4 * v11));
+    const four S3 = v14 + w1 * (m1 * (inverse1 * (e1 * v13)));
+    const double v15 = Y1 * v10 - v1 * v9;
+    const double v16 = m1 * (T32 - inverse1 * (v3 * v10 + v4 * v9));
+    const four C3 = v16 + w1 * (m1 * (inverse1 * (e1 * v15)));
+    const four v17 = S3 * S3 + C3 * C3;
+    const four v18 = 1.0 / sqrt_four(v17);
+    const four v19 = C3 * v18;
+    const four v20 = S3 * v18;
 
     /* theta2 */
-    const four v17 = k4 * (T32 * v16 - T31 * v15);
-    const double v18 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v19 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const double v20 = v18 * v18;
-    const four v21 = v20 + v17 * v17;
-    const four factor2 = v19 / sqrt_four(v21);
-    const four v22 = v18 * factor2;
-    const four v23 = v17 * factor2;
+    const double v21 = v9 * T31 - v11 * T32;
+    const double v22 = v12 * T32 - v10 * T31;
+    const double v23 = v1 * v21 + Y1 * v22;
+    const double v24 = v3 * -v22 + v4 * v21;
+    const four v25 = v18 * (m3 * (inverse1 * (v24 + w1 * (e1 * v23))));
+    const double v26 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v27 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v28 = v26 * v26;
+    const four v29 = v28 + v25 * v25;
+    const four factor2 = v27 / sqrt_four(v29);
+    const four v30 = v26 * factor2;
+    const four v31 = v25 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v24 = 2.0 * c1;
-    const four v25 = ca2 * s1;
-    const four v26 = s1 * v15;
-    const four v27 = ca2 * c1;
-    const four v28 = 2.0 * v27;
-    const four v29 = s1 * v16;
-    const four v30 = sa2 * s1;
-    const four v31 = sa2 * c1;
-    const four v32 = v22 * v30 + v23 * (2.0 * v31) + ca2 * (sqrt3 * s1);
-    const four v33 = 2.0 * s1;
-    const four v34 = c1 * v15;
-    const four v35 = 2.0 * v25;
-    const four v36 = c1 * v16;
-    const four v37 = v23 * (2.0 * v30) - v22 * v31 - ca2 * (sqrt3 * c1);
-    const four v38 = sqrt3 * v16;
-    const four v39 = sqrt3 * v15;
-    const four v40 = ca2 - k3 * v22;
-    const double v41 = sqrt(-1.0);
-    const four v42 = pick_four((abs_four(T34 - k1 * (d3 * v40)) <= pose_slack1) & ((abs_four(T33 -
-        k1 * v40) <= pose_slack) & ((abs_four(T32 - k1 * (v22 * (ca2 * v39) - v23 * v38 + sa2 *
-        v15)) <= pose_slack) & ((abs_four(T31 - k1 * (v22 * (ca2 * v38) + v23 * v39 + sa2 * v16)) <=
-        pose_slack) & ((abs_four(T24 - k1 * (d3 * v37)) <= pose_slack1) & ((abs_four(T23 - k1 * v37)
-        <= pose_slack) & ((abs_four(T22 + k1 * (v22 * (v16 * v33 - v15 * v27) + v23 * (v36 + v15 *
-        v35) + sa2 * (sqrt3 * v34))) <= pose_slack) & ((abs_four(T21 - k1 * (v22 * (v15 * v33 + v16
-        * v27) - v23 * (v16 * v35 - v34) - sa2 * (sqrt3 * v36))) <= pose_slack) & ((abs_four(T14 -
-        k1 * (d3 * v32)) <= pose_slack1) & ((abs_four(T13 - k1 * v32) <= pose_slack) &
-        ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v29) - (v22 * (v16 * v25 - v15 * v24) + v23 * (v26 +
-        v16 * v28)))) <= pose_slack) & (abs_four(T12 + k1 * (v22 * (v15 * v25 + v16 * v24) - v23 *
-        (v29 - v15 * v28) - sa2 * (sqrt3 * v26))) <= pose_slack))))))))))), all_four(0.0),
-        all_four(v41));
+    const four v32 = 2.0 * c1;
+    const four v33 = ca2 * s1;
+    const four v34 = s1 * v19;
+    const four v35 = ca2 * c1;
+    const double v36 = m4 * v6;
+    const four v37 = v36 + w1 * (m4 * v5);
+    const four v38 = s1 * v20;
+    const four v39 = sa2 * s1;
+    const four v40 = sa2 * c1;
+    const four v41 = v30 * v39 + v31 * (2.0 * v40) + ca2 * (sqrt3 * s1);
+    const four v42 = 2.0 * s1;
+    const four v43 = c1 * v19;
+    const double v44 = m4 * v8;
+    const four v45 = w1 * (m4 * v7) - v44;
+    const four v46 = c1 * v20;
+    const four v47 = v31 * (2.0 * v39) - v30 * v40 - ca2 * (sqrt3 * c1);
+    const four v48 = sqrt3 * v20;
+    const four v49 = sqrt3 * v19;
+    const four v50 = ca2 - k3 * v30;
+    const double v51 = sqrt(-1.0);
+    const four v52 = pick_four((abs_four(T34 - k1 * (d3 * v50)) <= pose_slack1) & ((abs_four(T33 -
+        k1 * v50) <= pose_slack) & ((abs_four(T32 - k1 * (v30 * (ca2 * v49) - v31 * v48 + sa2 *
+        v19)) <= pose_slack) & ((abs_four(T31 - k1 * (v30 * (ca2 * v48) + v31 * v49 + sa2 * v20)) <=
+        pose_slack) & ((abs_four(T24 - k1 * (d3 * v47)) <= pose_slack1) & ((abs_four(T23 - k1 * v47)
+        <= pose_slack) & ((abs_four(T22 + k1 * (v30 * (v20 * v42 - v19 * v35) + v31 * (v46 + v19 *
+        v45) + sa2 * (sqrt3 * v43))) <= pose_slack) & ((abs_four(T21 - k1 * (v30 * (v19 * v42 + v20
+        * v35) - v31 * (v20 * v45 - v43) - sa2 * (sqrt3 * v46))) <= pose_slack) & ((abs_four(T14 -
+        k1 * (d3 * v41)) <= pose_slack1) & ((abs_four(T13 - k1 * v41) <= pose_slack) &
+        ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v38) - (v30 * (v20 * v33 - v19 * v32) + v31 * (v34 +
+        v20 * v37)))) <= pose_slack) & (abs_four(T12 + k1 * (v30 * (v19 * v33 + v20 * v32) - v31 *
+        (v38 - v19 * v37) - sa2 * (sqrt3 * v34))) <= pose_slack))))))))))), all_four(0.0),
+        all_four(v51));
 
     /* joint values */
     const int doubt1 = free1 | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 |
         ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)));
-    const four_mask doubt = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | ((v13 <= m1) | (v21 <= m1));
+    const four_mask doubt2 = (v17 <= m2) | (v29 <= m2);
 
-    const four packed1 = atan2_four(__builtin_shufflevector(v8, -v23, 0, 1, 6, 7),
-        __builtin_shufflevector(v6, -v22, 0, 1, 6, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v31, 0, 1, 6, 7),
+        __builtin_shufflevector(c1, -v30, 0, 1, 6, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
     const four packed2 = atan2_four(-S3, -C3);
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
-    const four q1 = v42 + angle1;
-    const four q2 = v42 + angle1_;
-    const four q3 = v42 + angle1__;
+    const four q1 = v52 + angle1;
+    const four q2 = v52 + angle1_;
+    const four q3 = v52 + angle1__;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 3u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * WRIST_OBLIQUE_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

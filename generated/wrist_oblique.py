@@ -70,7 +70,10 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.3213938048432697  # ca2 * 1 / 2
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 0.383022221559489  # a coefficient of S3
+m2 = 9.999999999999998e-49  # free_limit_squared^2
+m3 = 0.2541022842412185  # a coefficient of v10
+m4 = 1.2855752193730787  # a coefficient of v18
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -408,130 +411,142 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v3 = v1 * Z1
     v4 = Y1 * Z1
-    v5 = v1 * w1
-    v6 = v4 + v5
-    v7 = v4 - v5
-    c1_p = inverse1 * v6
-    c1_m = inverse1 * v7
-    v8 = Y1 * w1
-    v9 = v8 - v3
-    v10 = v3 + v8
-    s1_p = inverse1 * v9
-    v11 = inverse1 * v10
+    v5 = v1 * inverse1
+    v6 = inverse1 * v4
+    v7 = w1 * v5
+    c1_p = v6 + v7
+    c1_m = v6 - v7
+    v8 = Y1 * inverse1
+    v9 = inverse1 * v3
+    v10 = w1 * v8
+    s1_p = v10 - v9
+    v11 = v9 + v10
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
     v12 = sqrt3 * T22
     v13 = sqrt3 * T12
     v14 = sqrt3 * T21
     v15 = sqrt3 * T11
-    S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))
-    S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))
-    C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))
-    C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))
-    v16 = S3_p * S3_p + C3_p * C3_p
-    v17 = S3_m * S3_m + C3_m * C3_m
-    v18 = 1.0 / math.sqrt(v16)
-    v19 = 1.0 / math.sqrt(v17)
-    v20 = C3_p * v18
-    v21 = C3_m * v19
-    v22 = S3_p * v18
-    v23 = S3_m * v19
+    v16 = Y1 * v15 - v1 * v14
+    v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14))
+    S3_p = v17 + w1 * (m1 * (inverse1 * v16))
+    S3_m = v17 + w1 * (m1 * (inverse1 * -v16))
+    v18 = Y1 * v13 - v1 * v12
+    v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12))
+    C3_p = v19 + w1 * (m1 * (inverse1 * v18))
+    C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
+    v20 = S3_p * S3_p + C3_p * C3_p
+    v21 = S3_m * S3_m + C3_m * C3_m
+    v22 = 1.0 / math.sqrt(v20)
+    v23 = 1.0 / math.sqrt(v21)
+    v24 = C3_p * v22
+    v25 = C3_m * v23
+    v26 = S3_p * v22
+    v27 = S3_m * v23
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v24 = k4 * (T32 * v22 - T31 * v20)
-    v25 = k4 * (T32 * v23 - T31 * v21)
-    v26 = k5 * (k1 * (2.0 * T33 - ca2))
-    v27 = -1.0 if -k6 < 0.0 else 1.0
-    v28 = v26 * v26
-    v29 = v28 + v24 * v24
-    v30 = v28 + v25 * v25
-    factor2_p = v27 / math.sqrt(v29)
-    factor2_m = v27 / math.sqrt(v30)
-    v31 = v26 * factor2_p
-    v32 = v26 * factor2_m
-    v33 = v24 * factor2_p
-    v34 = v25 * factor2_m
+    v28 = v12 * T31 - v14 * T32
+    v29 = v15 * T32 - v13 * T31
+    v30 = v3 * -v29 + v4 * v28
+    v31 = w1 * (v1 * v28 + Y1 * v29)
+    v32 = v22 * (m3 * (inverse1 * (v30 + v31)))
+    v33 = v23 * (m3 * (inverse1 * (v30 - v31)))
+    v34 = k5 * (k1 * (2.0 * T33 - ca2))
+    v35 = -1.0 if -k6 < 0.0 else 1.0
+    v36 = v34 * v34
+    v37 = v36 + v32 * v32
+    v38 = v36 + v33 * v33
+    factor2_p = v35 / math.sqrt(v37)
+    factor2_m = v35 / math.sqrt(v38)
+    v39 = v34 * factor2_p
+    v40 = v34 * factor2_m
+    v41 = v32 * factor2_p
+    v42 = v33 * factor2_m
 
     # is the pose one that the arm can take?
-    v35 = 2.0 * c1_p
-    v36 = 2.0 * c1_m
-    v37 = ca2 * s1_p
-    v38 = ca2 * v11
-    v39 = s1_p * v20
-    v40 = v11 * v21
-    v41 = ca2 * c1_p
-    v42 = ca2 * c1_m
-    v43 = 2.0 * v41
-    v44 = 2.0 * v42
-    v45 = s1_p * v22
-    v46 = v11 * v23
-    v47 = sa2 * s1_p
-    v48 = sa2 * v11
-    v49 = sa2 * c1_p
-    v50 = sa2 * c1_m
-    v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p)
-    v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11)
-    v53 = 2.0 * s1_p
-    v54 = 2.0 * v11
-    v55 = c1_p * v20
-    v56 = c1_m * v21
-    v57 = 2.0 * v37
-    v58 = 2.0 * v38
-    v59 = c1_p * v22
-    v60 = c1_m * v23
-    v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p)
-    v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m)
-    v63 = sqrt3 * v22
-    v64 = sqrt3 * v23
-    v65 = sqrt3 * v20
-    v66 = sqrt3 * v21
-    v67 = ca2 - k3 * v31
-    v68 = ca2 - k3 * v32
-    v69 = math.sqrt(-1.0)
-    v70 = (
-        0.0 if (abs(T34 - k1 * (d3 * v67)) <= pose_slack1 and (abs(T33 - k1 * v67) <= pose_slack and
-        (abs(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 * v20)) <= pose_slack and (abs(T31 - k1
-        * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <= pose_slack and (abs(T24 - k1 * (d3 * v61))
-        <= pose_slack1 and (abs(T23 - k1 * v61) <= pose_slack and (abs(T22 + k1 * (v31 * (v22 * v53
-        - v20 * v41) + v33 * (v59 + v20 * v57) + sa2 * (sqrt3 * v55))) <= pose_slack and (abs(T21 -
-        k1 * (v31 * (v20 * v53 + v22 * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <=
-        pose_slack and (abs(T14 - k1 * (d3 * v51)) <= pose_slack1 and (abs(T13 - k1 * v51) <=
-        pose_slack and (abs(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 *
-        (v39 + v22 * v43)))) <= pose_slack and abs(T12 + k1 * (v31 * (v20 * v37 + v22 * v35) - v33 *
-        (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))) else v69
+    v43 = 2.0 * c1_p
+    v44 = 2.0 * c1_m
+    v45 = ca2 * s1_p
+    v46 = ca2 * v11
+    v47 = s1_p * v24
+    v48 = v11 * v25
+    v49 = ca2 * c1_p
+    v50 = ca2 * c1_m
+    v51 = m4 * v6
+    v52 = w1 * (m4 * v5)
+    v53 = v51 + v52
+    v54 = v51 - v52
+    v55 = s1_p * v26
+    v56 = v11 * v27
+    v57 = sa2 * s1_p
+    v58 = sa2 * v11
+    v59 = sa2 * c1_p
+    v60 = sa2 * c1_m
+    v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p)
+    v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11)
+    v63 = 2.0 * s1_p
+    v64 = 2.0 * v11
+    v65 = c1_p * v24
+    v66 = c1_m * v25
+    v67 = m4 * v9
+    v68 = w1 * (m4 * v8)
+    v69 = v68 - v67
+    v70 = v67 + v68
+    v71 = c1_p * v26
+    v72 = c1_m * v27
+    v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p)
+    v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m)
+    v75 = sqrt3 * v26
+    v76 = sqrt3 * v27
+    v77 = sqrt3 * v24
+    v78 = sqrt3 * v25
+    v79 = ca2 - k3 * v39
+    v80 = ca2 - k3 * v40
+    v81 = math.sqrt(-1.0)
+    v82 = (
+        0.0 if (abs(T34 - k1 * (d3 * v79)) <= pose_slack1 and (abs(T33 - k1 * v79) <= pose_slack and
+        (abs(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 * v24)) <= pose_slack and (abs(T31 - k1
+        * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <= pose_slack and (abs(T24 - k1 * (d3 * v73))
+        <= pose_slack1 and (abs(T23 - k1 * v73) <= pose_slack and (abs(T22 + k1 * (v39 * (v26 * v63
+        - v24 * v49) + v41 * (v71 + v24 * v69) + sa2 * (sqrt3 * v65))) <= pose_slack and (abs(T21 -
+        k1 * (v39 * (v24 * v63 + v26 * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <=
+        pose_slack and (abs(T14 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T13 - k1 * v61) <=
+        pose_slack and (abs(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 *
+        (v47 + v26 * v53)))) <= pose_slack and abs(T12 + k1 * (v39 * (v24 * v45 + v26 * v43) - v41 *
+        (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))) else v81
     )
-    v71 = (
-        0.0 if (abs(T34 - k1 * (d3 * v68)) <= pose_slack1 and (abs(T33 - k1 * v68) <= pose_slack and
-        (abs(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 * v21)) <= pose_slack and (abs(T31 - k1
-        * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <= pose_slack and (abs(T24 + k1 * (d3 * v62))
-        <= pose_slack1 and (abs(T23 + k1 * v62) <= pose_slack and (abs(T22 + k1 * (v34 * (v60 - v21
-        * v58) - v32 * (v23 * v54 + v21 * v42) + sa2 * (sqrt3 * v56))) <= pose_slack and (abs(T21 -
-        k1 * (v32 * (v23 * v42 - v21 * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <=
-        pose_slack and (abs(T14 - k1 * (d3 * v52)) <= pose_slack1 and (abs(T13 - k1 * v52) <=
-        pose_slack and (abs(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23
-        * v38 + v21 * v36)))) <= pose_slack and abs(T12 + k1 * (v32 * (v23 * v36 - v21 * v38) + v34
-        * (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))) else v69
+    v83 = (
+        0.0 if (abs(T34 - k1 * (d3 * v80)) <= pose_slack1 and (abs(T33 - k1 * v80) <= pose_slack and
+        (abs(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 * v25)) <= pose_slack and (abs(T31 - k1
+        * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <= pose_slack and (abs(T24 + k1 * (d3 * v74))
+        <= pose_slack1 and (abs(T23 + k1 * v74) <= pose_slack and (abs(T22 + k1 * (v42 * (v72 - v25
+        * v70) - v40 * (v27 * v64 + v25 * v50) + sa2 * (sqrt3 * v66))) <= pose_slack and (abs(T21 -
+        k1 * (v40 * (v27 * v50 - v25 * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <=
+        pose_slack and (abs(T14 - k1 * (d3 * v62)) <= pose_slack1 and (abs(T13 - k1 * v62) <=
+        pose_slack and (abs(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27
+        * v46 + v25 * v44)))) <= pose_slack and abs(T12 + k1 * (v40 * (v27 * v44 - v25 * v46) + v42
+        * (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))) else v81
     )
 
     # joint values
-    angle1 = _atan2(v9, v6)
-    q1_p = v70 + angle1
-    angle1_ = _atan2(-v10, v7)
-    q1_m = v71 + angle1_
-    angle1__ = _atan2(-v33, -v31)
-    q2_p = v70 + angle1__
-    angle1___ = _atan2(-v34, -v32)
-    q2_m = v71 + angle1___
+    angle1 = _atan2(s1_p, c1_p)
+    q1_p = v82 + angle1
+    angle1_ = _atan2(-v11, c1_m)
+    q1_m = v83 + angle1_
+    angle1__ = _atan2(-v41, -v39)
+    q2_p = v82 + angle1__
+    angle1___ = _atan2(-v42, -v40)
+    q2_m = v83 + angle1___
     angle1____ = _atan2(-S3_p, -C3_p)
-    q3_p = v70 + angle1____
+    q3_p = v82 + angle1____
     angle1_____ = _atan2(-S3_m, -C3_m)
-    q3_m = v71 + angle1_____
-    doubt = (
-        v17 <= m1 or v30 <= m1 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <= D1 and (free1
-        or not (merge_slack1 * (merge_slack1 + v2) < D1)) or (v16 <= m1 or v29 <= m1))
+    q3_m = v83 + angle1_____
+    doubt1 = (
+        v38 <= m2 or (v21 <= m2 or (v37 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <=
+        D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <= m2)))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_p
     q[0, 1] = q2_p
@@ -730,144 +745,156 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v3 = v1 * Z1
             v4 = Y1 * Z1
-            v5 = v1 * w1
-            v6 = v4 + v5
-            v7 = v4 - v5
-            c1_p = inverse1 * v6
-            c1_m = inverse1 * v7
-            v8 = Y1 * w1
-            v9 = v8 - v3
-            v10 = v3 + v8
-            s1_p = inverse1 * v9
-            v11 = inverse1 * v10
+            v5 = v1 * inverse1
+            v6 = inverse1 * v4
+            v7 = w1 * v5
+            c1_p = v6 + v7
+            c1_m = v6 - v7
+            v8 = Y1 * inverse1
+            v9 = inverse1 * v3
+            v10 = w1 * v8
+            s1_p = v10 - v9
+            v11 = v9 + v10
             v12 = sqrt3 * T22
             v13 = sqrt3 * T12
             v14 = sqrt3 * T21
             v15 = sqrt3 * T11
-            S3_p = sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))
-            S3_m = sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))
-            C3_p = sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))
-            C3_m = sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))
-            v16 = S3_p * S3_p + C3_p * C3_p
-            v17 = S3_m * S3_m + C3_m * C3_m
-            v18 = 1.0 / math.sqrt(v16)
-            v19 = 1.0 / math.sqrt(v17)
-            v20 = C3_p * v18
-            v21 = C3_m * v19
-            v22 = S3_p * v18
-            v23 = S3_m * v19
-            v24 = k4 * (T32 * v22 - T31 * v20)
-            v25 = k4 * (T32 * v23 - T31 * v21)
-            v26 = k5 * (k1 * (2.0 * T33 - ca2))
-            v27 = -1.0 if -k6 < 0.0 else 1.0
-            v28 = v26 * v26
-            v29 = v28 + v24 * v24
-            v30 = v28 + v25 * v25
-            factor2_p = v27 / math.sqrt(v29)
-            factor2_m = v27 / math.sqrt(v30)
-            v31 = v26 * factor2_p
-            v32 = v26 * factor2_m
-            v33 = v24 * factor2_p
-            v34 = v25 * factor2_m
-            v35 = 2.0 * c1_p
-            v36 = 2.0 * c1_m
-            v37 = ca2 * s1_p
-            v38 = ca2 * v11
-            v39 = s1_p * v20
-            v40 = v11 * v21
-            v41 = ca2 * c1_p
-            v42 = ca2 * c1_m
-            v43 = 2.0 * v41
-            v44 = 2.0 * v42
-            v45 = s1_p * v22
-            v46 = v11 * v23
-            v47 = sa2 * s1_p
-            v48 = sa2 * v11
-            v49 = sa2 * c1_p
-            v50 = sa2 * c1_m
-            v51 = v31 * v47 + v33 * (2.0 * v49) + ca2 * (sqrt3 * s1_p)
-            v52 = v34 * (2.0 * v50) - v32 * v48 - ca2 * (sqrt3 * v11)
-            v53 = 2.0 * s1_p
-            v54 = 2.0 * v11
-            v55 = c1_p * v20
-            v56 = c1_m * v21
-            v57 = 2.0 * v37
-            v58 = 2.0 * v38
-            v59 = c1_p * v22
-            v60 = c1_m * v23
-            v61 = v33 * (2.0 * v47) - v31 * v49 - ca2 * (sqrt3 * c1_p)
-            v62 = v34 * (2.0 * v48) + v32 * v50 + ca2 * (sqrt3 * c1_m)
-            v63 = sqrt3 * v22
-            v64 = sqrt3 * v23
-            v65 = sqrt3 * v20
-            v66 = sqrt3 * v21
-            v67 = ca2 - k3 * v31
-            v68 = ca2 - k3 * v32
-            v69 = math.sqrt(-1.0)
-            v70 = (
-                0.0 if (abs(T34 - k1 * (d3 * v67)) <= pose_slack1 and (abs(T33 - k1 * v67) <=
-                pose_slack and (abs(T32 - k1 * (v31 * (ca2 * v65) - v33 * v63 + sa2 * v20)) <=
-                pose_slack and (abs(T31 - k1 * (v31 * (ca2 * v63) + v33 * v65 + sa2 * v22)) <=
-                pose_slack and (abs(T24 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T23 - k1 * v61)
-                <= pose_slack and (abs(T22 + k1 * (v31 * (v22 * v53 - v20 * v41) + v33 * (v59 + v20
-                * v57) + sa2 * (sqrt3 * v55))) <= pose_slack and (abs(T21 - k1 * (v31 * (v20 * v53 +
-                v22 * v41) - v33 * (v22 * v57 - v55) - sa2 * (sqrt3 * v59))) <= pose_slack and
-                (abs(T14 - k1 * (d3 * v51)) <= pose_slack1 and (abs(T13 - k1 * v51) <= pose_slack
-                and (abs(T11 - k1 * (sa2 * (sqrt3 * v45) - (v31 * (v22 * v37 - v20 * v35) + v33 *
-                (v39 + v22 * v43)))) <= pose_slack and abs(T12 + k1 * (v31 * (v20 * v37 + v22 * v35)
-                - v33 * (v45 - v20 * v43) - sa2 * (sqrt3 * v39))) <= pose_slack))))))))))) else v69
+            v16 = Y1 * v15 - v1 * v14
+            v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14))
+            S3_p = v17 + w1 * (m1 * (inverse1 * v16))
+            S3_m = v17 + w1 * (m1 * (inverse1 * -v16))
+            v18 = Y1 * v13 - v1 * v12
+            v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12))
+            C3_p = v19 + w1 * (m1 * (inverse1 * v18))
+            C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
+            v20 = S3_p * S3_p + C3_p * C3_p
+            v21 = S3_m * S3_m + C3_m * C3_m
+            v22 = 1.0 / math.sqrt(v20)
+            v23 = 1.0 / math.sqrt(v21)
+            v24 = C3_p * v22
+            v25 = C3_m * v23
+            v26 = S3_p * v22
+            v27 = S3_m * v23
+            v28 = v12 * T31 - v14 * T32
+            v29 = v15 * T32 - v13 * T31
+            v30 = v3 * -v29 + v4 * v28
+            v31 = w1 * (v1 * v28 + Y1 * v29)
+            v32 = v22 * (m3 * (inverse1 * (v30 + v31)))
+            v33 = v23 * (m3 * (inverse1 * (v30 - v31)))
+            v34 = k5 * (k1 * (2.0 * T33 - ca2))
+            v35 = -1.0 if -k6 < 0.0 else 1.0
+            v36 = v34 * v34
+            v37 = v36 + v32 * v32
+            v38 = v36 + v33 * v33
+            factor2_p = v35 / math.sqrt(v37)
+            factor2_m = v35 / math.sqrt(v38)
+            v39 = v34 * factor2_p
+            v40 = v34 * factor2_m
+            v41 = v32 * factor2_p
+            v42 = v33 * factor2_m
+            v43 = 2.0 * c1_p
+            v44 = 2.0 * c1_m
+            v45 = ca2 * s1_p
+            v46 = ca2 * v11
+            v47 = s1_p * v24
+            v48 = v11 * v25
+            v49 = ca2 * c1_p
+            v50 = ca2 * c1_m
+            v51 = m4 * v6
+            v52 = w1 * (m4 * v5)
+            v53 = v51 + v52
+            v54 = v51 - v52
+            v55 = s1_p * v26
+            v56 = v11 * v27
+            v57 = sa2 * s1_p
+            v58 = sa2 * v11
+            v59 = sa2 * c1_p
+            v60 = sa2 * c1_m
+            v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p)
+            v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11)
+            v63 = 2.0 * s1_p
+            v64 = 2.0 * v11
+            v65 = c1_p * v24
+            v66 = c1_m * v25
+            v67 = m4 * v9
+            v68 = w1 * (m4 * v8)
+            v69 = v68 - v67
+            v70 = v67 + v68
+            v71 = c1_p * v26
+            v72 = c1_m * v27
+            v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p)
+            v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m)
+            v75 = sqrt3 * v26
+            v76 = sqrt3 * v27
+            v77 = sqrt3 * v24
+            v78 = sqrt3 * v25
+            v79 = ca2 - k3 * v39
+            v80 = ca2 - k3 * v40
+            v81 = math.sqrt(-1.0)
+            v82 = (
+                0.0 if (abs(T34 - k1 * (d3 * v79)) <= pose_slack1 and (abs(T33 - k1 * v79) <=
+                pose_slack and (abs(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 * v24)) <=
+                pose_slack and (abs(T31 - k1 * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <=
+                pose_slack and (abs(T24 - k1 * (d3 * v73)) <= pose_slack1 and (abs(T23 - k1 * v73)
+                <= pose_slack and (abs(T22 + k1 * (v39 * (v26 * v63 - v24 * v49) + v41 * (v71 + v24
+                * v69) + sa2 * (sqrt3 * v65))) <= pose_slack and (abs(T21 - k1 * (v39 * (v24 * v63 +
+                v26 * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <= pose_slack and
+                (abs(T14 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T13 - k1 * v61) <= pose_slack
+                and (abs(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 *
+                (v47 + v26 * v53)))) <= pose_slack and abs(T12 + k1 * (v39 * (v24 * v45 + v26 * v43)
+                - v41 * (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))) else v81
             )
-            v71 = (
-                0.0 if (abs(T34 - k1 * (d3 * v68)) <= pose_slack1 and (abs(T33 - k1 * v68) <=
-                pose_slack and (abs(T32 - k1 * (v32 * (ca2 * v66) - v34 * v64 + sa2 * v21)) <=
-                pose_slack and (abs(T31 - k1 * (v32 * (ca2 * v64) + v34 * v66 + sa2 * v23)) <=
-                pose_slack and (abs(T24 + k1 * (d3 * v62)) <= pose_slack1 and (abs(T23 + k1 * v62)
-                <= pose_slack and (abs(T22 + k1 * (v34 * (v60 - v21 * v58) - v32 * (v23 * v54 + v21
-                * v42) + sa2 * (sqrt3 * v56))) <= pose_slack and (abs(T21 - k1 * (v32 * (v23 * v42 -
-                v21 * v54) + v34 * (v56 + v23 * v58) - sa2 * (sqrt3 * v60))) <= pose_slack and
-                (abs(T14 - k1 * (d3 * v52)) <= pose_slack1 and (abs(T13 - k1 * v52) <= pose_slack
-                and (abs(T11 + k1 * (sa2 * (sqrt3 * v46) + (v34 * (v23 * v44 - v40) - v32 * (v23 *
-                v38 + v21 * v36)))) <= pose_slack and abs(T12 + k1 * (v32 * (v23 * v36 - v21 * v38)
-                + v34 * (v46 + v21 * v44) + sa2 * (sqrt3 * v40))) <= pose_slack))))))))))) else v69
+            v83 = (
+                0.0 if (abs(T34 - k1 * (d3 * v80)) <= pose_slack1 and (abs(T33 - k1 * v80) <=
+                pose_slack and (abs(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 * v25)) <=
+                pose_slack and (abs(T31 - k1 * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <=
+                pose_slack and (abs(T24 + k1 * (d3 * v74)) <= pose_slack1 and (abs(T23 + k1 * v74)
+                <= pose_slack and (abs(T22 + k1 * (v42 * (v72 - v25 * v70) - v40 * (v27 * v64 + v25
+                * v50) + sa2 * (sqrt3 * v66))) <= pose_slack and (abs(T21 - k1 * (v40 * (v27 * v50 -
+                v25 * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <= pose_slack and
+                (abs(T14 - k1 * (d3 * v62)) <= pose_slack1 and (abs(T13 - k1 * v62) <= pose_slack
+                and (abs(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27 *
+                v46 + v25 * v44)))) <= pose_slack and abs(T12 + k1 * (v40 * (v27 * v44 - v25 * v46)
+                + v42 * (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))) else v81
             )
-            doubt = (
-                v17 <= m1 or v30 <= m1 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <= D1 and
-                (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or (v16 <= m1 or v29 <=
-                m1))
+            doubt1 = (
+                v38 <= m2 or (v21 <= m2 or (v37 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 +
+                v2)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <=
+                m2)))
             )
-            work[544 + k] = v70
-            work[576 + k] = v71
-            work[608 + k] = doubt
-            work[640 + k] = v9
-            work[672 + k] = -v10
-            work[704 + k] = -v33
-            work[736 + k] = -v34
+            work[544 + k] = v82
+            work[576 + k] = v83
+            work[608 + k] = doubt1
+            work[640 + k] = s1_p
+            work[672 + k] = -v11
+            work[704 + k] = -v41
+            work[736 + k] = -v42
             work[768 + k] = -S3_p
             work[800 + k] = -S3_m
-            work[832 + k] = v6
-            work[864 + k] = v7
-            work[896 + k] = -v31
-            work[928 + k] = -v32
+            work[832 + k] = c1_p
+            work[864 + k] = c1_m
+            work[896 + k] = -v39
+            work[928 + k] = -v40
             work[960 + k] = -C3_p
             work[992 + k] = -C3_m
         for k in range(640, 832):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
-            v70 = work[544 + k]
-            v71 = work[576 + k]
-            doubt = work[608 + k] != 0.0
+            v82 = work[544 + k]
+            v83 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
             angle1_ = work[672 + k]
             angle1__ = work[704 + k]
             angle1___ = work[736 + k]
             angle1____ = work[768 + k]
             angle1_____ = work[800 + k]
-            q1_p = v70 + angle1
-            q1_m = v71 + angle1_
-            q2_p = v70 + angle1__
-            q2_m = v71 + angle1___
-            q3_p = v70 + angle1____
-            q3_m = v71 + angle1_____
+            q1_p = v82 + angle1
+            q1_m = v83 + angle1_
+            q2_p = v82 + angle1__
+            q2_m = v83 + angle1___
+            q3_p = v82 + angle1____
+            q3_m = v83 + angle1_____
             _1024 = q1_p
             work[1024 + k] = _1024
             _1056 = q2_p
@@ -882,7 +909,7 @@ def _in_tiles(T, q, status):
             work[1184 + k] = _1184
             work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1248 + k] = UNREACHABLE if _1120 != _1120 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

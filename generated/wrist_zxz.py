@@ -269,7 +269,7 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[1, 3]
     v1 = T23 * T23 + T13 * T13
-    doubt = v1 <= m1
+    doubt1 = v1 <= m1
     angle1 = _atan2(-T13, T23)
     q1_m = angle1 - math.copysign(half_turn, -T13) * h1
 
@@ -281,7 +281,7 @@ def _regular(pose, q, status):
     angle1__ = _atan2(v2, T23 * T11 - T13 * T21)
     q3_m = angle1__ - h1 * math.copysign(half_turn, v2)
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1
     q[0, 1] = angle1_
@@ -461,9 +461,9 @@ def _in_tiles(T, q, status):
             T23 = work[192 + k]
             T33 = work[320 + k]
             v1 = T23 * T23 + T13 * T13
-            doubt = v1 <= m1
+            doubt1 = v1 <= m1
             v2 = T13 * T22 - T23 * T12
-            work[544 + k] = doubt
+            work[544 + k] = doubt1
             work[576 + k] = v2
             work[608 + k] = -T13
             work[640 + k] = -math.sqrt(v1)
@@ -475,7 +475,7 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             T13 = work[64 + k]
-            doubt = work[544 + k] != 0.0
+            doubt1 = work[544 + k] != 0.0
             v2 = work[576 + k]
             angle1 = work[608 + k]
             angle1_ = work[640 + k]
@@ -496,7 +496,7 @@ def _in_tiles(T, q, status):
             work[960 + k] = _960
             work[992 + k] = UNREACHABLE if _800 != _800 else OK
             work[1024 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

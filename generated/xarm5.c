@@ -8,6 +8,308 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#ifndef XARM5_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DXARM5_SCALAR. With -DXARM5_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(XARM5_SCALAR) && !defined(XARM5_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define larger_wide _mm512_max_pd
+#define smaller_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define larger_wide larger_four
+#define smaller_wide smaller_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define larger_four _mm256_max_pd
+#define smaller_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
+#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#ifdef XARM5_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & XARM5_UNREACHABLE) \
+        | (~(none) & (outside) & XARM5_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)XARM5_UNREACHABLE \
+        : (outside) ? (int)XARM5_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.267; /* joint offset 1 [m] */
 static const double a2 = 0.2894866145437471; /* link length 2 [m] */
 static const double a3 = 0.35116; /* link length 3 [m] */
@@ -38,8 +340,11 @@ static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1677971055248615e-24; /* free_limit1^2 [m^2] */
 static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 1.3637500796722449e-48; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 1.727195576168653; /* a coefficient of S2 */
+static const double m5 = 0.06824295773100271; /* a coefficient of S2 */
+static const double m6 = 1.4238523749857612; /* a coefficient of c23 */
+static const double m7 = 0.05625761134525573; /* a coefficient of c23 */
+static const double m8 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const xarm5_branches[4] = {
@@ -48,12 +353,6 @@ const char *const xarm5_branches[4] = {
 
 static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void xarm5_fk(const double q[5], double T[16])
 {
@@ -208,209 +507,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef XARM5_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DXARM5_SCALAR. With -DXARM5_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(XARM5_SCALAR) && !defined(XARM5_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#ifdef XARM5_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & XARM5_UNREACHABLE) \
-        | (~(none) & (outside) & XARM5_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)XARM5_UNREACHABLE \
-        : (outside) ? (int)XARM5_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
@@ -429,7 +525,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta234 */
     const wide Z2_234 = c1 * T13 + s1 * T23;
     const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide_mask free234 = v2 <= m2;
     const wide factor234 = 1.0 / sqrt_wide(v2);
     const wide c234 = T33 * factor234;
     const wide v3 = Z2_234 * factor234;
@@ -460,162 +555,131 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v17 = w1 + v16;
     const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p;
     const wide N3_m = Z1_3_m * Z1_3_m + v17 * v17;
-    const wide K3_p = N3_p - k1;
-    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v18 = w3_p - w3_p;
     const wide v19 = w3_m - w3_m;
-    const wide s3_p = k2 * w3_p;
-    const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * K3_p;
-    const wide c3_m = k2 * K3_m;
-    const wide angle1__ = atan2_wide(w3_p, K3_p);
-    const wide angle1___ = atan2_wide(w3_m, K3_m);
+    const wide angle1__ = atan2_wide(w3_p, N3_p - k1);
+    const wide angle1___ = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide X1_2_p = a2 + a3 * c3_p;
-    const wide X1_2_m = a2 + a3 * c3_m;
-    const wide Y1_2_p = a3 * s3_p;
-    const wide Y1_2_m = a3 * s3_m;
-    const wide v20 = Z1_3_p * X1_2_p;
-    const wide v21 = Z1_3_m * X1_2_m;
-    const wide v22 = Z2_3_p * Y1_2_p;
-    const wide v23 = v17 * Y1_2_m;
-    const wide S2_pp = v20 - v22;
-    const wide S2_pm = v20 + v22;
-    const wide S2_mp = v21 + v23;
-    const wide S2_mm = v21 - v23;
-    const wide v24 = Z2_3_p * X1_2_p;
-    const wide v25 = v17 * X1_2_m;
-    const wide v26 = Z1_3_p * Y1_2_p;
-    const wide v27 = Z1_3_m * Y1_2_m;
-    const wide C2_pp = v24 + v26;
-    const wide C2_pm = v24 - v26;
-    const wide C2_mp = v27 - v25;
-    const wide v28 = v25 + v27;
-    const wide v29 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v30 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v31 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v32 = S2_mm * S2_mm + v28 * v28;
-    const wide_mask free2_pp = v29 <= m4;
-    const wide_mask free2_pm = v30 <= m4;
-    const wide_mask free2_mp = v31 <= m4;
-    const wide_mask free2_mm = v32 <= m4;
-    const wide factor2_pp = 1.0 / sqrt_wide(v29);
-    const wide factor2_pm = 1.0 / sqrt_wide(v30);
-    const wide factor2_mp = 1.0 / sqrt_wide(v31);
-    const wide factor2_mm = 1.0 / sqrt_wide(v32);
-    const wide c2_pp = C2_pp * factor2_pp;
-    const wide c2_pm = C2_pm * factor2_pm;
-    const wide c2_mp = C2_mp * factor2_mp;
-    const wide v33 = v28 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_pm = S2_pm * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
-    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1______ = atan2_wide(S2_mp, C2_mp);
-    const wide angle1_______ = atan2_wide(S2_mm, -v28);
+    const wide v20 = m4 * N3_p - m5;
+    const wide v21 = m4 * N3_m - m5;
+    const wide v22 = Z1_3_p * v20;
+    const wide v23 = Z1_3_m * v21;
+    const wide S2_pp = v22 - w3_p * (m4 * Z2_3_p);
+    const wide S2_pm = v22 - w3_p * (m4 * -Z2_3_p);
+    const wide v24 = w3_m * (m4 * v17);
+    const wide S2_mp = v23 + v24;
+    const wide S2_mm = v23 - v24;
+    const wide v25 = Z2_3_p * v20;
+    const wide v26 = v17 * v21;
+    const wide factor2_p = 1.0 / N3_p;
+    const wide factor2_m = 1.0 / N3_m;
+    const wide angle1____ = atan2_wide(S2_pp, v25 + w3_p * (m4 * Z1_3_p));
+    const wide angle1_____ = atan2_wide(S2_pm, v25 + w3_p * (m4 * -Z1_3_p));
+    const wide angle1______ = atan2_wide(S2_mp, w3_m * (m4 * Z1_3_m) - v26);
+    const wide angle1_______ = atan2_wide(S2_mm, w3_m * (m4 * -Z1_3_m) - v26);
 
     /* is the pose one that the arm can take? */
-    const wide v34 = c1 * c234;
-    const wide v35 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v15 + a2 * c2_pp);
-    const wide v36 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v15 + a2 * c2_pm);
-    const wide v37 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v16 + a2 * c2_mp);
-    const wide v38 = a3 * (s3_m * s2_mm - c3_m * v33) + (v16 - a2 * v33);
-    const wide v39 = s1 * c234;
-    const wide v40 = d1 + v10;
-    const wide v41 = d1 + v11;
-    const double v42 = sqrt(-1.0);
-    const wide v43 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
+    const wide v27 = c1 * c234;
+    const wide v28 = Z1_3_p * (m6 + m7 * factor2_p);
+    const wide v29 = Z1_3_m * (m6 + m7 * factor2_m);
+    const wide v30 = v15 + Z2_3_p;
+    const wide v31 = v16 - v17;
+    const wide v32 = s1 * c234;
+    const wide v33 = d1 + v10;
+    const wide v34 = d1 + v11;
+    const double v35 = sqrt(-1.0);
+    const wide v36 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
         pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
-        pose_slack) & ((abs_wide(T22 - (v7 * v39 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
-        v39 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
-        (s1 * v7 - v6 * v34)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v34)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v42));
-    const wide v44 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v40 + a2 *
-        s2_pp))) <= pose_slack1) & ((abs_wide(T14 - c1 * v35) <= pose_slack1) & (abs_wide(T24 - s1 *
-        v35) <= pose_slack1)), all_wide(0.0), all_wide(v42));
-    const wide v45 = pick_wide((abs_wide(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v40 + a2 *
-        s2_pm))) <= pose_slack1) & ((abs_wide(T14 - c1 * v36) <= pose_slack1) & (abs_wide(T24 - s1 *
-        v36) <= pose_slack1)), all_wide(0.0), all_wide(v42));
-    const wide v46 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v41 + a2 *
-        s2_mp))) <= pose_slack1) & ((abs_wide(T14 + c1 * v37) <= pose_slack1) & (abs_wide(T24 + s1 *
-        v37) <= pose_slack1)), all_wide(0.0), all_wide(v42));
-    const wide v47 = pick_wide((abs_wide(T34 - (a3 * (c3_m * s2_mm + s3_m * v33) + (v41 + a2 *
-        s2_mm))) <= pose_slack1) & ((abs_wide(T14 + c1 * v38) <= pose_slack1) & (abs_wide(T24 + s1 *
-        v38) <= pose_slack1)), all_wide(0.0), all_wide(v42));
+        pose_slack) & ((abs_wide(T22 - (v7 * v32 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
+        v32 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
+        (s1 * v7 - v6 * v27)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v27)) <=
+        pose_slack)))))))), all_wide(0.0), all_wide(v35));
+    const wide_mask v37 = (abs_wide(T14 - c1 * v30) <= pose_slack1) & (abs_wide(T24 - s1 * v30) <=
+        pose_slack1);
+    const wide_mask v38 = (abs_wide(T14 + c1 * v31) <= pose_slack1) & (abs_wide(T24 + s1 * v31) <=
+        pose_slack1);
+    const wide v39 = pick_wide(v37 & (abs_wide(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p *
+        factor2_p))) + (v33 + a2 * (S2_pp * factor2_p)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v35));
+    const wide v40 = pick_wide(v37 & (abs_wide(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p *
+        factor2_p))) + (v33 + a2 * (S2_pm * factor2_p)))) <= pose_slack1), all_wide(0.0),
+        all_wide(v35));
+    const wide v41 = w3_m * (m6 * (v17 * factor2_m));
+    const wide v42 = pick_wide(v38 & (abs_wide(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp *
+        factor2_m)))) <= pose_slack1), all_wide(0.0), all_wide(v35));
+    const wide v43 = pick_wide(v38 & (abs_wide(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm *
+        factor2_m)))) <= pose_slack1), all_wide(0.0), all_wide(v35));
 
     /* joint values */
     const wide angle1________ = atan2_wide(T24, T14);
-    const wide v48 = angle1________ - offset1;
-    const wide v49 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
-    const wide v50 = angle1____ - offset2;
-    const wide v51 = angle1_____ - offset2;
-    const wide v52 = angle1______ - offset2;
-    const wide v53 = angle1_______ - offset2;
-    const wide v54 = angle1__ - offset3;
-    const wide v55 = offset3 + angle1__;
-    const wide v56 = angle1___ - offset3;
-    const wide v57 = offset3 + angle1___;
-    const wide v58 = angle1 - (angle1__ + angle1____) - offset4;
-    const wide v59 = angle1 - (angle1_____ - angle1__) - offset4;
-    const wide v60 = offset4 + (angle1 + (angle1___ + angle1______));
-    const wide v61 = offset4 + (angle1 + (angle1_______ - angle1___));
-    const wide v62 = v58 - pick_wide(half_turn < v58, all_wide(m5), all_wide(0.0)) + pick_wide(v58
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v63 = v59 - pick_wide(half_turn < v59, all_wide(m5), all_wide(0.0)) + pick_wide(v59
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v64 = pick_wide(-v60 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v60 +
-        pick_wide(half_turn < -v60, all_wide(m5), all_wide(0.0)));
-    const wide v65 = pick_wide(-v61 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v61 +
-        pick_wide(half_turn < -v61, all_wide(m5), all_wide(0.0)));
-    const wide v66 = v43 + (v18 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m5),
+    const wide v44 = angle1________ - offset1;
+    const wide v45 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
+    const wide v46 = angle1____ - offset2;
+    const wide v47 = angle1_____ - offset2;
+    const wide v48 = angle1______ - offset2;
+    const wide v49 = angle1_______ - offset2;
+    const wide v50 = angle1__ - offset3;
+    const wide v51 = offset3 + angle1__;
+    const wide v52 = angle1___ - offset3;
+    const wide v53 = offset3 + angle1___;
+    const wide v54 = angle1 - (angle1__ + angle1____) - offset4;
+    const wide v55 = angle1 - (angle1_____ - angle1__) - offset4;
+    const wide v56 = offset4 + (angle1 + (angle1___ + angle1______));
+    const wide v57 = offset4 + (angle1 + (angle1_______ - angle1___));
+    const wide v58 = v54 - pick_wide(half_turn < v54, all_wide(m8), all_wide(0.0)) + pick_wide(v54
+        <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v59 = v55 - pick_wide(half_turn < v55, all_wide(m8), all_wide(0.0)) + pick_wide(v55
+        <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v60 = pick_wide(-v56 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v56 +
+        pick_wide(half_turn < -v56, all_wide(m8), all_wide(0.0)));
+    const wide v61 = pick_wide(-v57 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v57 +
+        pick_wide(half_turn < -v57, all_wide(m8), all_wide(0.0)));
+    const wide v62 = v36 + (v18 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide v67 = v43 + (v19 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m5),
+    const wide v63 = v36 + (v19 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q1_pp = v44 + v66;
-    const wide q1_pm = v45 + v66;
-    const wide q1_mp = v46 + v67;
-    const wide q1_mm = v47 + v67;
-    const wide q2_pp = v44 + (v43 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m5),
+    const wide q1_pp = v39 + v62;
+    const wide q1_pm = v40 + v62;
+    const wide q1_mp = v42 + v63;
+    const wide q1_mm = v43 + v63;
+    const wide q2_pp = v39 + (v36 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_pm = v45 + (v43 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m5),
+    const wide q2_pm = v40 + (v36 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_mp = v46 + (v43 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m5),
+    const wide q2_mp = v42 + (v36 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q2_mm = v47 + (v43 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m5),
+    const wide q2_mm = v43 + (v36 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q3_pp = v44 + (v43 + (v54 + pick_wide(v54 <= -half_turn, all_wide(m5),
+    const wide q3_pp = v39 + (v36 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q3_pm = v45 + (v43 + (pick_wide(-v55 <= -half_turn, all_wide(m5), all_wide(0.0)) -
-        v55));
-    const wide q3_mp = v46 + (v43 + (v56 + pick_wide(v56 <= -half_turn, all_wide(m5),
+    const wide q3_pm = v40 + (v36 + (pick_wide(-v51 <= -half_turn, all_wide(m8), all_wide(0.0)) -
+        v51));
+    const wide q3_mp = v42 + (v36 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m8),
         all_wide(0.0))));
-    const wide q3_mm = v47 + (v43 + (pick_wide(-v57 <= -half_turn, all_wide(m5), all_wide(0.0)) -
-        v57));
-    const wide q4_pp = v44 + (v43 + (v62 - pick_wide(half_turn < v62, all_wide(m5),
+    const wide q3_mm = v43 + (v36 + (pick_wide(-v53 <= -half_turn, all_wide(m8), all_wide(0.0)) -
+        v53));
+    const wide q4_pp = v39 + (v36 + (v58 - pick_wide(half_turn < v58, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_pm = v45 + (v43 + (v63 - pick_wide(half_turn < v63, all_wide(m5),
+    const wide q4_pm = v40 + (v36 + (v59 - pick_wide(half_turn < v59, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_mp = v46 + (v43 + (v64 - pick_wide(half_turn < v64, all_wide(m5),
+    const wide q4_mp = v42 + (v36 + (v60 - pick_wide(half_turn < v60, all_wide(m8),
         all_wide(0.0))));
-    const wide q4_mm = v47 + (v43 + (v65 - pick_wide(half_turn < v65, all_wide(m5),
+    const wide q4_mm = v43 + (v36 + (v61 - pick_wide(half_turn < v61, all_wide(m8),
         all_wide(0.0))));
-    const wide v68 = v43 + (angle1_ + v18);
-    const wide v69 = v43 + (v19 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
-    const wide q5_pp = v44 + v68;
-    const wide q5_pm = v45 + v68;
-    const wide q5_mp = v46 + v69;
-    const wide q5_mm = v47 + v69;
-    const wide_mask doubt = (free2_mm | (free234 | free2_mm)) | ((free2_mp | (free234 | free2_mp)) |
-        ((free2_pm | (free234 | free2_pm)) | ((free2_pp | (free234 | free2_pp)) |
+    const wide v64 = v36 + (angle1_ + v18);
+    const wide v65 = v36 + (v19 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
+    const wide q5_pp = v39 + v64;
+    const wide q5_pm = v40 + v64;
+    const wide q5_mp = v42 + v65;
+    const wide q5_mm = v43 + v65;
+    const wide_mask doubt1 = (v2 <= m2) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v4 <= m2) | (free234 | (v1
-        <= m1))))))));
+        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v4 <= m2) |
+        (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
+        < longest3_apart)) == 0)))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -642,73 +706,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
-}
-
 static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
@@ -730,7 +731,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta234 */
     const double Z2_234 = c1 * T13 + s1 * T23;
     const double v2 = T33 * T33 + Z2_234 * Z2_234;
-    const int free234 = v2 <= m2;
     const double factor234 = 1.0 / sqrt(v2);
     const double c234 = T33 * factor234;
     const double v3 = Z2_234 * factor234;
@@ -756,122 +756,75 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v16 = v15 + e1 * v14;
     const four Z2_3 = e1 * w1 - v16;
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v17 = w3 - w3;
-    const four s3 = k2 * w3;
-    const four c3 = k2 * K3;
 
     /* theta2 */
-    const four X1_2 = a2 + a3 * c3;
-    const four Y1_2 = a3 * s3;
-    const four v18 = Z1_3 * X1_2;
-    const four v19 = Z2_3 * Y1_2;
-    const four S2 = v18 - e2 * v19;
-    const four v20 = Z2_3 * X1_2;
-    const four v21 = Z1_3 * Y1_2;
-    const four C2 = v20 + e2 * v21;
-    const four v22 = S2 * S2 + C2 * C2;
-    const four_mask free2 = v22 <= m4;
-    const four factor2 = 1.0 / sqrt_four(v22);
-    const four c2 = C2 * factor2;
-    const four s2 = S2 * factor2;
+    const four v18 = e2 * Z2_3;
+    const four v19 = m4 * N3 - m5;
+    const four v20 = Z1_3 * v19;
+    const four S2 = v20 - w3 * (m4 * v18);
+    const four v21 = Z2_3 * v19;
+    const four factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v23 = c1 * c234;
-    const four v24 = a3 * (c3 * c2 - e2 * (s3 * s2)) + (v16 + a2 * c2);
+    const double v22 = c1 * c234;
+    const four v23 = Z1_3 * (m6 + m7 * factor2);
+    const four v24 = v16 + Z2_3;
     const double v25 = s1 * c234;
     const four v26 = d1 + v12;
     const double v27 = sqrt(-1.0);
     const double v28 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v3 * v7) <= pose_slack) &
         ((fabs(T31 - v3 * v6) <= pose_slack) & ((fabs(T23 - s1 * v3) <= pose_slack) & ((fabs(T22 -
         (v7 * v25 - c1 * v6)) <= pose_slack) & ((fabs(T21 + (v6 * v25 + c1 * v7)) <= pose_slack) &
-        ((fabs(T13 - c1 * v3) <= pose_slack) & ((fabs(T11 - (s1 * v7 - v6 * v23)) <= pose_slack) &
-        (fabs(T12 - (s1 * v6 + v7 * v23)) <= pose_slack))))))))) ? 0.0 : v27;
-    const four v29 = pick_four((abs_four(T34 - (a3 * (c3 * s2 + e2 * (s3 * c2)) + (v26 + a2 * s2)))
-        <= pose_slack1) & ((abs_four(T14 - e1 * (c1 * v24)) <= pose_slack1) & (abs_four(T24 - e1 *
-        (s1 * v24)) <= pose_slack1)), all_four(0.0), all_four(v27));
+        ((fabs(T13 - c1 * v3) <= pose_slack) & ((fabs(T11 - (s1 * v7 - v6 * v22)) <= pose_slack) &
+        (fabs(T12 - (s1 * v6 + v7 * v22)) <= pose_slack))))))))) ? 0.0 : v27;
+    const four_mask v29 = (abs_four(T14 - e1 * (c1 * v24)) <= pose_slack1) & (abs_four(T24 - e1 *
+        (s1 * v24)) <= pose_slack1);
+    const four v30 = pick_four(v29 & (abs_four(T34 - (a3 * (v23 + w3 * (m6 * (v18 * factor2))) +
+        (v26 + a2 * (S2 * factor2)))) <= pose_slack1), all_four(0.0), all_four(v27));
 
     /* joint values */
-    const double v30 = copysign(half_turn, T24);
-    const int doubt1 = (v4 <= m2) | (free234 | (v1 <= m1));
-    const four_mask v40 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | (all_four(doubt1 ? 1.0 : 0.0) > 0.0);
-    const four_mask doubt = (free2 | ((all_four(free234 ? 1.0 : 0.0) > 0.0) | free2)) | v40;
+    const double v31 = copysign(half_turn, T24);
+    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+    const int doubt1 = (v2 <= m2) | ((v4 <= m2) | (v1 <= m1));
 
-    const four angle1___ = atan2_four(S2, C2);
+    const four angle1___ = atan2_four(S2, v21 + w3 * (m4 * (e2 * Z1_3)));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(T33), 0, 5, 2, 3),
+        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
         all_four(-Z1_5), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ T24, T24, T24, T24 }, (four){ T14, T14, T14, T14 });
     const four angle1____ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v31 = angle1____ + v9 * v30 - offset1;
-    const four v32 = angle1___ - offset2;
-    const four v33 = e2 * angle1__;
-    const four v34 = v33 - offset3;
-    const four v35 = e1 * angle1;
-    const four v36 = v35 - (angle1___ + v33) - offset4;
-    const four v37 = v36 - pick_four(half_turn < v36, all_four(m5), all_four(0.0)) + pick_four(v36
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four v38 = v28 + (v17 + (v31 + pick_four(v31 <= -half_turn, all_four(m5),
+    const four v32 = angle1____ + v9 * v31 - offset1;
+    const four v33 = angle1___ - offset2;
+    const four v34 = e2 * angle1__;
+    const four v35 = v34 - offset3;
+    const four v36 = e1 * angle1;
+    const four v37 = v36 - (angle1___ + v34) - offset4;
+    const four v38 = v37 - pick_four(half_turn < v37, all_four(m8), all_four(0.0)) + pick_four(v37
+        <= -half_turn, all_four(m8), all_four(0.0));
+    const four v39 = v28 + (v17 + (v32 + pick_four(v32 <= -half_turn, all_four(m8),
         all_four(0.0))));
-    const four q1 = v29 + v38;
-    const four q2 = v29 + (v28 + (v32 + pick_four(v32 <= -half_turn, all_four(m5), all_four(0.0))));
-    const four q3 = v29 + (v28 + (v34 + pick_four(v34 <= -half_turn, all_four(m5), all_four(0.0))));
-    const four q4 = v29 + (v28 + (v37 - pick_four(half_turn < v37, all_four(m5), all_four(0.0))));
-    const four v39 = v28 + (v17 + (angle1_ + v8 * v9));
-    const four q5 = v29 + v39;
+    const four q1 = v30 + v39;
+    const four q2 = v30 + (v28 + (v33 + pick_four(v33 <= -half_turn, all_four(m8), all_four(0.0))));
+    const four q3 = v30 + (v28 + (v35 + pick_four(v35 <= -half_turn, all_four(m8), all_four(0.0))));
+    const four q4 = v30 + (v28 + (v38 - pick_four(half_turn < v38, all_four(m8), all_four(0.0))));
+    const four v40 = v28 + (v17 + (angle1_ + v8 * v9));
+    const four q5 = v30 + v40;
 
-    if (!(irregularity_double(T) <= 1e-24))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
-    const four_mask kind1 = kind_of(q1 != q1, 0);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[1] = (unsigned char)kind1[1];
-    status[2] = (unsigned char)kind1[2];
-    status[3] = (unsigned char)kind1[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
+    const unsigned long long kind1 = none1 * XARM5_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 4);
+    return 4 - __builtin_popcountll(none1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

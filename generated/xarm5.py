@@ -76,8 +76,11 @@ k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1677971055248615e-24  # free_limit1^2 [m^2]
 m2 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 1.3637500796722449e-48  # free_limit_squared2^2 [m^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 1.727195576168653  # a coefficient of S2
+m5 = 0.06824295773100271  # a coefficient of S2
+m6 = 1.4238523749857612  # a coefficient of c23
+m7 = 0.05625761134525573  # a coefficient of c23
+m8 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -617,7 +620,6 @@ def _regular(pose, q, status):
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     Z2_234 = c1 * T13 + s1 * T23
     v2 = T33 * T33 + Z2_234 * Z2_234
-    free234 = v2 <= m2
     factor234 = 1.0 / math.sqrt(v2)
     c234 = T33 * factor234
     v3 = Z2_234 * factor234
@@ -648,152 +650,121 @@ def _regular(pose, q, status):
     v17 = w1 + v16
     N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
     N3_m = Z1_3_m * Z1_3_m + v17 * v17
-    K3_p = N3_p - k1
-    K3_m = N3_m - k1
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
     v18 = w3_p - w3_p
     v19 = w3_m - w3_m
-    s3_p = k2 * w3_p
-    s3_m = k2 * w3_m
-    c3_p = k2 * K3_p
-    c3_m = k2 * K3_m
-    angle1__ = _atan2(w3_p, K3_p)
-    angle1___ = _atan2(w3_m, K3_m)
+    angle1__ = _atan2(w3_p, N3_p - k1)
+    angle1___ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    X1_2_p = a2 + a3 * c3_p
-    X1_2_m = a2 + a3 * c3_m
-    Y1_2_p = a3 * s3_p
-    Y1_2_m = a3 * s3_m
-    v20 = Z1_3_p * X1_2_p
-    v21 = Z1_3_m * X1_2_m
-    v22 = Z2_3_p * Y1_2_p
-    v23 = v17 * Y1_2_m
-    S2_pp = v20 - v22
-    S2_pm = v20 + v22
-    S2_mp = v21 + v23
-    S2_mm = v21 - v23
-    v24 = Z2_3_p * X1_2_p
-    v25 = v17 * X1_2_m
-    v26 = Z1_3_p * Y1_2_p
-    v27 = Z1_3_m * Y1_2_m
-    C2_pp = v24 + v26
-    C2_pm = v24 - v26
-    C2_mp = v27 - v25
-    v28 = v25 + v27
-    v29 = S2_pp * S2_pp + C2_pp * C2_pp
-    v30 = S2_pm * S2_pm + C2_pm * C2_pm
-    v31 = S2_mp * S2_mp + C2_mp * C2_mp
-    v32 = S2_mm * S2_mm + v28 * v28
-    free2_pp = v29 <= m4
-    free2_pm = v30 <= m4
-    free2_mp = v31 <= m4
-    free2_mm = v32 <= m4
-    factor2_pp = 1.0 / math.sqrt(v29)
-    factor2_pm = 1.0 / math.sqrt(v30)
-    factor2_mp = 1.0 / math.sqrt(v31)
-    factor2_mm = 1.0 / math.sqrt(v32)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    v33 = v28 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_pm = S2_pm * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
-    angle1____ = _atan2(S2_pp, C2_pp)
-    angle1_____ = _atan2(S2_pm, C2_pm)
-    angle1______ = _atan2(S2_mp, C2_mp)
-    angle1_______ = _atan2(S2_mm, -v28)
+    v20 = m4 * N3_p - m5
+    v21 = m4 * N3_m - m5
+    v22 = Z1_3_p * v20
+    v23 = Z1_3_m * v21
+    S2_pp = v22 - w3_p * (m4 * Z2_3_p)
+    S2_pm = v22 - w3_p * (m4 * -Z2_3_p)
+    v24 = w3_m * (m4 * v17)
+    S2_mp = v23 + v24
+    S2_mm = v23 - v24
+    v25 = Z2_3_p * v20
+    v26 = v17 * v21
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
+    angle1____ = _atan2(S2_pp, v25 + w3_p * (m4 * Z1_3_p))
+    angle1_____ = _atan2(S2_pm, v25 + w3_p * (m4 * -Z1_3_p))
+    angle1______ = _atan2(S2_mp, w3_m * (m4 * Z1_3_m) - v26)
+    angle1_______ = _atan2(S2_mm, w3_m * (m4 * -Z1_3_m) - v26)
 
     # is the pose one that the arm can take?
-    v34 = c1 * c234
-    v35 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v15 + a2 * c2_pp)
-    v36 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v15 + a2 * c2_pm)
-    v37 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v16 + a2 * c2_mp)
-    v38 = a3 * (s3_m * s2_mm - c3_m * v33) + (v16 - a2 * v33)
-    v39 = s1 * c234
-    v40 = d1 + v10
-    v41 = d1 + v11
-    v42 = math.sqrt(-1.0)
-    v43 = (
+    v27 = c1 * c234
+    v28 = Z1_3_p * (m6 + m7 * factor2_p)
+    v29 = Z1_3_m * (m6 + m7 * factor2_m)
+    v30 = v15 + Z2_3_p
+    v31 = v16 - v17
+    v32 = s1 * c234
+    v33 = d1 + v10
+    v34 = d1 + v11
+    v35 = math.sqrt(-1.0)
+    v36 = (
         0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and (abs(T31 -
-        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v39 - c1 *
-        v6)) <= pose_slack and (abs(T21 + (v6 * v39 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
-        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v34)) <= pose_slack and abs(T12 - (s1 * v6
-        + v7 * v34)) <= pose_slack)))))))) else v42
+        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v32 - c1 *
+        v6)) <= pose_slack and (abs(T21 + (v6 * v32 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
+        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v27)) <= pose_slack and abs(T12 - (s1 * v6
+        + v7 * v27)) <= pose_slack)))))))) else v35
     )
-    v44 = (
-        0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v40 + a2 * s2_pp))) <= pose_slack1
-        and (abs(T14 - c1 * v35) <= pose_slack1 and abs(T24 - s1 * v35) <= pose_slack1)) else v42
+    v37 = abs(T14 - c1 * v30) <= pose_slack1 and abs(T24 - s1 * v30) <= pose_slack1
+    v38 = abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1
+    v39 = (
+        0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v33 + a2 *
+        (S2_pp * factor2_p)))) <= pose_slack1) else v35
     )
-    v45 = (
-        0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v40 + a2 * s2_pm))) <= pose_slack1
-        and (abs(T14 - c1 * v36) <= pose_slack1 and abs(T24 - s1 * v36) <= pose_slack1)) else v42
+    v40 = (
+        0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v33 + a2 *
+        (S2_pm * factor2_p)))) <= pose_slack1) else v35
     )
-    v46 = (
-        0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v41 + a2 * s2_mp))) <= pose_slack1
-        and (abs(T14 + c1 * v37) <= pose_slack1 and abs(T24 + s1 * v37) <= pose_slack1)) else v42
+    v41 = w3_m * (m6 * (v17 * factor2_m))
+    v42 = (
+        0.0 if (v38 and abs(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp * factor2_m)))) <=
+        pose_slack1) else v35
     )
-    v47 = (
-        0.0 if (abs(T34 - (a3 * (c3_m * s2_mm + s3_m * v33) + (v41 + a2 * s2_mm))) <= pose_slack1
-        and (abs(T14 + c1 * v38) <= pose_slack1 and abs(T24 + s1 * v38) <= pose_slack1)) else v42
+    v43 = (
+        0.0 if (v38 and abs(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm * factor2_m)))) <=
+        pose_slack1) else v35
     )
 
     # joint values
     angle1________ = _atan2(T24, T14)
-    v48 = angle1________ - offset1
-    v49 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-    v50 = angle1____ - offset2
-    v51 = angle1_____ - offset2
-    v52 = angle1______ - offset2
-    v53 = angle1_______ - offset2
-    v54 = angle1__ - offset3
-    v55 = offset3 + angle1__
-    v56 = angle1___ - offset3
-    v57 = offset3 + angle1___
-    v58 = angle1 - (angle1__ + angle1____) - offset4
-    v59 = angle1 - (angle1_____ - angle1__) - offset4
-    v60 = offset4 + (angle1 + (angle1___ + angle1______))
-    v61 = offset4 + (angle1 + (angle1_______ - angle1___))
-    v62 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-    v63 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-    v64 = (m5 if -v60 <= -half_turn else 0.0) - (v60 + (m5 if half_turn < -v60 else 0.0))
-    v65 = (m5 if -v61 <= -half_turn else 0.0) - (v61 + (m5 if half_turn < -v61 else 0.0))
-    v66 = v43 + (v18 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
-    v67 = v43 + (v19 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
-    q1_pp = v44 + v66
-    q1_pm = v45 + v66
-    q1_mp = v46 + v67
-    q1_mm = v47 + v67
-    q2_pp = v44 + (v43 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
-    q2_pm = v45 + (v43 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
-    q2_mp = v46 + (v43 + (v52 + (m5 if v52 <= -half_turn else 0.0)))
-    q2_mm = v47 + (v43 + (v53 + (m5 if v53 <= -half_turn else 0.0)))
-    q3_pp = v44 + (v43 + (v54 + (m5 if v54 <= -half_turn else 0.0)))
-    q3_pm = v45 + (v43 + ((m5 if -v55 <= -half_turn else 0.0) - v55))
-    q3_mp = v46 + (v43 + (v56 + (m5 if v56 <= -half_turn else 0.0)))
-    q3_mm = v47 + (v43 + ((m5 if -v57 <= -half_turn else 0.0) - v57))
-    q4_pp = v44 + (v43 + (v62 - (m5 if half_turn < v62 else 0.0)))
-    q4_pm = v45 + (v43 + (v63 - (m5 if half_turn < v63 else 0.0)))
-    q4_mp = v46 + (v43 + (v64 - (m5 if half_turn < v64 else 0.0)))
-    q4_mm = v47 + (v43 + (v65 - (m5 if half_turn < v65 else 0.0)))
-    v68 = v43 + (angle1_ + v18)
-    v69 = v43 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
-    q5_pp = v44 + v68
-    q5_pm = v45 + v68
-    q5_mp = v46 + v69
-    q5_mm = v47 + v69
-    doubt = (
-        free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm or
-        (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach <= N3_m and
-        N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v4 <= m2 or (free234 or v1 <= m1)))))))
+    v44 = angle1________ - offset1
+    v45 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
+    v46 = angle1____ - offset2
+    v47 = angle1_____ - offset2
+    v48 = angle1______ - offset2
+    v49 = angle1_______ - offset2
+    v50 = angle1__ - offset3
+    v51 = offset3 + angle1__
+    v52 = angle1___ - offset3
+    v53 = offset3 + angle1___
+    v54 = angle1 - (angle1__ + angle1____) - offset4
+    v55 = angle1 - (angle1_____ - angle1__) - offset4
+    v56 = offset4 + (angle1 + (angle1___ + angle1______))
+    v57 = offset4 + (angle1 + (angle1_______ - angle1___))
+    v58 = v54 - (m8 if half_turn < v54 else 0.0) + (m8 if v54 <= -half_turn else 0.0)
+    v59 = v55 - (m8 if half_turn < v55 else 0.0) + (m8 if v55 <= -half_turn else 0.0)
+    v60 = (m8 if -v56 <= -half_turn else 0.0) - (v56 + (m8 if half_turn < -v56 else 0.0))
+    v61 = (m8 if -v57 <= -half_turn else 0.0) - (v57 + (m8 if half_turn < -v57 else 0.0))
+    v62 = v36 + (v18 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
+    v63 = v36 + (v19 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
+    q1_pp = v39 + v62
+    q1_pm = v40 + v62
+    q1_mp = v42 + v63
+    q1_mm = v43 + v63
+    q2_pp = v39 + (v36 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
+    q2_pm = v40 + (v36 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
+    q2_mp = v42 + (v36 + (v48 + (m8 if v48 <= -half_turn else 0.0)))
+    q2_mm = v43 + (v36 + (v49 + (m8 if v49 <= -half_turn else 0.0)))
+    q3_pp = v39 + (v36 + (v50 + (m8 if v50 <= -half_turn else 0.0)))
+    q3_pm = v40 + (v36 + ((m8 if -v51 <= -half_turn else 0.0) - v51))
+    q3_mp = v42 + (v36 + (v52 + (m8 if v52 <= -half_turn else 0.0)))
+    q3_mm = v43 + (v36 + ((m8 if -v53 <= -half_turn else 0.0) - v53))
+    q4_pp = v39 + (v36 + (v58 - (m8 if half_turn < v58 else 0.0)))
+    q4_pm = v40 + (v36 + (v59 - (m8 if half_turn < v59 else 0.0)))
+    q4_mp = v42 + (v36 + (v60 - (m8 if half_turn < v60 else 0.0)))
+    q4_mm = v43 + (v36 + (v61 - (m8 if half_turn < v61 else 0.0)))
+    v64 = v36 + (angle1_ + v18)
+    v65 = v36 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+    q5_pp = v39 + v64
+    q5_pm = v40 + v64
+    q5_mp = v42 + v65
+    q5_mm = v43 + v65
+    doubt1 = (
+        v2 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
+        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+        free_limit_squared2 or (v4 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
@@ -1006,7 +977,6 @@ def _in_tiles(T, q, status):
             s1 = T24 * factor1
             Z2_234 = c1 * T13 + s1 * T23
             v2 = T33 * T33 + Z2_234 * Z2_234
-            free234 = v2 <= m2
             factor234 = 1.0 / math.sqrt(v2)
             c234 = T33 * factor234
             v3 = Z2_234 * factor234
@@ -1031,110 +1001,75 @@ def _in_tiles(T, q, status):
             v17 = w1 + v16
             N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
             N3_m = Z1_3_m * Z1_3_m + v17 * v17
-            K3_p = N3_p - k1
-            K3_m = N3_m - k1
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
             v18 = w3_p - w3_p
             v19 = w3_m - w3_m
-            s3_p = k2 * w3_p
-            s3_m = k2 * w3_m
-            c3_p = k2 * K3_p
-            c3_m = k2 * K3_m
-            X1_2_p = a2 + a3 * c3_p
-            X1_2_m = a2 + a3 * c3_m
-            Y1_2_p = a3 * s3_p
-            Y1_2_m = a3 * s3_m
-            v20 = Z1_3_p * X1_2_p
-            v21 = Z1_3_m * X1_2_m
-            v22 = Z2_3_p * Y1_2_p
-            v23 = v17 * Y1_2_m
-            S2_pp = v20 - v22
-            S2_pm = v20 + v22
-            S2_mp = v21 + v23
-            S2_mm = v21 - v23
-            v24 = Z2_3_p * X1_2_p
-            v25 = v17 * X1_2_m
-            v26 = Z1_3_p * Y1_2_p
-            v27 = Z1_3_m * Y1_2_m
-            C2_pp = v24 + v26
-            C2_pm = v24 - v26
-            C2_mp = v27 - v25
-            v28 = v25 + v27
-            v29 = S2_pp * S2_pp + C2_pp * C2_pp
-            v30 = S2_pm * S2_pm + C2_pm * C2_pm
-            v31 = S2_mp * S2_mp + C2_mp * C2_mp
-            v32 = S2_mm * S2_mm + v28 * v28
-            free2_pp = v29 <= m4
-            free2_pm = v30 <= m4
-            free2_mp = v31 <= m4
-            free2_mm = v32 <= m4
-            factor2_pp = 1.0 / math.sqrt(v29)
-            factor2_pm = 1.0 / math.sqrt(v30)
-            factor2_mp = 1.0 / math.sqrt(v31)
-            factor2_mm = 1.0 / math.sqrt(v32)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            v33 = v28 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_pm = S2_pm * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            v34 = c1 * c234
-            v35 = a3 * (c3_p * c2_pp - s3_p * s2_pp) + (v15 + a2 * c2_pp)
-            v36 = a3 * (c3_p * c2_pm + s3_p * s2_pm) + (v15 + a2 * c2_pm)
-            v37 = a3 * (c3_m * c2_mp - s3_m * s2_mp) + (v16 + a2 * c2_mp)
-            v38 = a3 * (s3_m * s2_mm - c3_m * v33) + (v16 - a2 * v33)
-            v39 = s1 * c234
-            v40 = d1 + v10
-            v41 = d1 + v11
-            v42 = math.sqrt(-1.0)
-            v43 = (
+            v20 = m4 * N3_p - m5
+            v21 = m4 * N3_m - m5
+            v22 = Z1_3_p * v20
+            v23 = Z1_3_m * v21
+            S2_pp = v22 - w3_p * (m4 * Z2_3_p)
+            S2_pm = v22 - w3_p * (m4 * -Z2_3_p)
+            v24 = w3_m * (m4 * v17)
+            S2_mp = v23 + v24
+            S2_mm = v23 - v24
+            v25 = Z2_3_p * v20
+            v26 = v17 * v21
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v27 = c1 * c234
+            v28 = Z1_3_p * (m6 + m7 * factor2_p)
+            v29 = Z1_3_m * (m6 + m7 * factor2_m)
+            v30 = v15 + Z2_3_p
+            v31 = v16 - v17
+            v32 = s1 * c234
+            v33 = d1 + v10
+            v34 = d1 + v11
+            v35 = math.sqrt(-1.0)
+            v36 = (
                 0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and
                 (abs(T31 - v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22
-                - (v7 * v39 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v39 + c1 * v7)) <=
+                - (v7 * v32 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v32 + c1 * v7)) <=
                 pose_slack and (abs(T13 - c1 * v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 *
-                v34)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v34)) <= pose_slack)))))))) else
-                v42
+                v27)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v27)) <= pose_slack)))))))) else
+                v35
             )
-            v44 = (
-                0.0 if (abs(T34 - (a3 * (c3_p * s2_pp + s3_p * c2_pp) + (v40 + a2 * s2_pp))) <=
-                pose_slack1 and (abs(T14 - c1 * v35) <= pose_slack1 and abs(T24 - s1 * v35) <=
-                pose_slack1)) else v42
+            v37 = abs(T14 - c1 * v30) <= pose_slack1 and abs(T24 - s1 * v30) <= pose_slack1
+            v38 = abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1
+            v39 = (
+                0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v33 +
+                a2 * (S2_pp * factor2_p)))) <= pose_slack1) else v35
             )
-            v45 = (
-                0.0 if (abs(T34 - (a3 * (c3_p * s2_pm - s3_p * c2_pm) + (v40 + a2 * s2_pm))) <=
-                pose_slack1 and (abs(T14 - c1 * v36) <= pose_slack1 and abs(T24 - s1 * v36) <=
-                pose_slack1)) else v42
+            v40 = (
+                0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v33 +
+                a2 * (S2_pm * factor2_p)))) <= pose_slack1) else v35
             )
-            v46 = (
-                0.0 if (abs(T34 - (a3 * (c3_m * s2_mp + s3_m * c2_mp) + (v41 + a2 * s2_mp))) <=
-                pose_slack1 and (abs(T14 + c1 * v37) <= pose_slack1 and abs(T24 + s1 * v37) <=
-                pose_slack1)) else v42
+            v41 = w3_m * (m6 * (v17 * factor2_m))
+            v42 = (
+                0.0 if (v38 and abs(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp * factor2_m)))) <=
+                pose_slack1) else v35
             )
-            v47 = (
-                0.0 if (abs(T34 - (a3 * (c3_m * s2_mm + s3_m * v33) + (v41 + a2 * s2_mm))) <=
-                pose_slack1 and (abs(T14 + c1 * v38) <= pose_slack1 and abs(T24 + s1 * v38) <=
-                pose_slack1)) else v42
+            v43 = (
+                0.0 if (v38 and abs(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm * factor2_m)))) <=
+                pose_slack1) else v35
             )
-            doubt = (
-                free2_mm or (free234 or free2_mm) or (free2_mp or (free234 or free2_mp) or (free2_pm
-                or (free234 or free2_pm) or (free2_pp or (free234 or free2_pp) or (shortest3_reach
-                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v4 <= m2 or (free234 or v1 <=
-                m1)))))))
+            doubt1 = (
+                v2 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
+                and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart) or (N3_p <= free_limit_squared2 or (v4 <= m2 or shortest3_reach <=
+                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart))))))
             )
             work[544 + k] = Z2_5
             work[576 + k] = v18
             work[608 + k] = v19
-            work[640 + k] = v43
-            work[672 + k] = v44
-            work[704 + k] = v45
-            work[736 + k] = v46
-            work[768 + k] = v47
-            work[800 + k] = doubt
+            work[640 + k] = v36
+            work[672 + k] = v39
+            work[704 + k] = v40
+            work[736 + k] = v42
+            work[768 + k] = v43
+            work[800 + k] = doubt1
             work[832 + k] = -Z2_234
             work[864 + k] = -Z2_5
             work[896 + k] = w3_p
@@ -1146,12 +1081,12 @@ def _in_tiles(T, q, status):
             work[1088 + k] = T24
             work[1120 + k] = T33
             work[1152 + k] = -Z1_5
-            work[1184 + k] = K3_p
-            work[1216 + k] = K3_m
-            work[1248 + k] = C2_pp
-            work[1280 + k] = C2_pm
-            work[1312 + k] = C2_mp
-            work[1344 + k] = -v28
+            work[1184 + k] = N3_p - k1
+            work[1216 + k] = N3_m - k1
+            work[1248 + k] = v25 + w3_p * (m4 * Z1_3_p)
+            work[1280 + k] = v25 + w3_p * (m4 * -Z1_3_p)
+            work[1312 + k] = w3_m * (m4 * Z1_3_m) - v26
+            work[1344 + k] = w3_m * (m4 * -Z1_3_m) - v26
             work[1376 + k] = T14
         for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
@@ -1160,12 +1095,12 @@ def _in_tiles(T, q, status):
             Z2_5 = work[544 + k]
             v18 = work[576 + k]
             v19 = work[608 + k]
-            v43 = work[640 + k]
-            v44 = work[672 + k]
-            v45 = work[704 + k]
-            v46 = work[736 + k]
-            v47 = work[768 + k]
-            doubt = work[800 + k] != 0.0
+            v36 = work[640 + k]
+            v39 = work[672 + k]
+            v40 = work[704 + k]
+            v42 = work[736 + k]
+            v43 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
             angle1__ = work[896 + k]
@@ -1175,48 +1110,48 @@ def _in_tiles(T, q, status):
             angle1______ = work[1024 + k]
             angle1_______ = work[1056 + k]
             angle1________ = work[1088 + k]
-            v48 = angle1________ - offset1
-            v49 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-            v50 = angle1____ - offset2
-            v51 = angle1_____ - offset2
-            v52 = angle1______ - offset2
-            v53 = angle1_______ - offset2
-            v54 = angle1__ - offset3
-            v55 = offset3 + angle1__
-            v56 = angle1___ - offset3
-            v57 = offset3 + angle1___
-            v58 = angle1 - (angle1__ + angle1____) - offset4
-            v59 = angle1 - (angle1_____ - angle1__) - offset4
-            v60 = offset4 + (angle1 + (angle1___ + angle1______))
-            v61 = offset4 + (angle1 + (angle1_______ - angle1___))
-            v62 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-            v63 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-            v64 = (m5 if -v60 <= -half_turn else 0.0) - (v60 + (m5 if half_turn < -v60 else 0.0))
-            v65 = (m5 if -v61 <= -half_turn else 0.0) - (v61 + (m5 if half_turn < -v61 else 0.0))
-            v66 = v43 + (v18 + (v48 + (m5 if v48 <= -half_turn else 0.0)))
-            v67 = v43 + (v19 + (v49 + (m5 if v49 <= -half_turn else 0.0)))
-            q1_pp = v44 + v66
-            q1_pm = v45 + v66
-            q1_mp = v46 + v67
-            q1_mm = v47 + v67
-            q2_pp = v44 + (v43 + (v50 + (m5 if v50 <= -half_turn else 0.0)))
-            q2_pm = v45 + (v43 + (v51 + (m5 if v51 <= -half_turn else 0.0)))
-            q2_mp = v46 + (v43 + (v52 + (m5 if v52 <= -half_turn else 0.0)))
-            q2_mm = v47 + (v43 + (v53 + (m5 if v53 <= -half_turn else 0.0)))
-            q3_pp = v44 + (v43 + (v54 + (m5 if v54 <= -half_turn else 0.0)))
-            q3_pm = v45 + (v43 + ((m5 if -v55 <= -half_turn else 0.0) - v55))
-            q3_mp = v46 + (v43 + (v56 + (m5 if v56 <= -half_turn else 0.0)))
-            q3_mm = v47 + (v43 + ((m5 if -v57 <= -half_turn else 0.0) - v57))
-            q4_pp = v44 + (v43 + (v62 - (m5 if half_turn < v62 else 0.0)))
-            q4_pm = v45 + (v43 + (v63 - (m5 if half_turn < v63 else 0.0)))
-            q4_mp = v46 + (v43 + (v64 - (m5 if half_turn < v64 else 0.0)))
-            q4_mm = v47 + (v43 + (v65 - (m5 if half_turn < v65 else 0.0)))
-            v68 = v43 + (angle1_ + v18)
-            v69 = v43 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
-            q5_pp = v44 + v68
-            q5_pm = v45 + v68
-            q5_mp = v46 + v69
-            q5_mm = v47 + v69
+            v44 = angle1________ - offset1
+            v45 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
+            v46 = angle1____ - offset2
+            v47 = angle1_____ - offset2
+            v48 = angle1______ - offset2
+            v49 = angle1_______ - offset2
+            v50 = angle1__ - offset3
+            v51 = offset3 + angle1__
+            v52 = angle1___ - offset3
+            v53 = offset3 + angle1___
+            v54 = angle1 - (angle1__ + angle1____) - offset4
+            v55 = angle1 - (angle1_____ - angle1__) - offset4
+            v56 = offset4 + (angle1 + (angle1___ + angle1______))
+            v57 = offset4 + (angle1 + (angle1_______ - angle1___))
+            v58 = v54 - (m8 if half_turn < v54 else 0.0) + (m8 if v54 <= -half_turn else 0.0)
+            v59 = v55 - (m8 if half_turn < v55 else 0.0) + (m8 if v55 <= -half_turn else 0.0)
+            v60 = (m8 if -v56 <= -half_turn else 0.0) - (v56 + (m8 if half_turn < -v56 else 0.0))
+            v61 = (m8 if -v57 <= -half_turn else 0.0) - (v57 + (m8 if half_turn < -v57 else 0.0))
+            v62 = v36 + (v18 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
+            v63 = v36 + (v19 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
+            q1_pp = v39 + v62
+            q1_pm = v40 + v62
+            q1_mp = v42 + v63
+            q1_mm = v43 + v63
+            q2_pp = v39 + (v36 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
+            q2_pm = v40 + (v36 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
+            q2_mp = v42 + (v36 + (v48 + (m8 if v48 <= -half_turn else 0.0)))
+            q2_mm = v43 + (v36 + (v49 + (m8 if v49 <= -half_turn else 0.0)))
+            q3_pp = v39 + (v36 + (v50 + (m8 if v50 <= -half_turn else 0.0)))
+            q3_pm = v40 + (v36 + ((m8 if -v51 <= -half_turn else 0.0) - v51))
+            q3_mp = v42 + (v36 + (v52 + (m8 if v52 <= -half_turn else 0.0)))
+            q3_mm = v43 + (v36 + ((m8 if -v53 <= -half_turn else 0.0) - v53))
+            q4_pp = v39 + (v36 + (v58 - (m8 if half_turn < v58 else 0.0)))
+            q4_pm = v40 + (v36 + (v59 - (m8 if half_turn < v59 else 0.0)))
+            q4_mp = v42 + (v36 + (v60 - (m8 if half_turn < v60 else 0.0)))
+            q4_mm = v43 + (v36 + (v61 - (m8 if half_turn < v61 else 0.0)))
+            v64 = v36 + (angle1_ + v18)
+            v65 = v36 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+            q5_pp = v39 + v64
+            q5_pm = v40 + v64
+            q5_mp = v42 + v65
+            q5_mm = v43 + v65
             _1408 = q1_pp
             work[1408 + k] = _1408
             _1440 = q2_pp
@@ -1261,7 +1196,7 @@ def _in_tiles(T, q, status):
             work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
             work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
             work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

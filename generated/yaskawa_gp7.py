@@ -90,9 +90,14 @@ high3 = 3.316100001  # highest value of joint 3
 low5 = -2.356100001  # lowest value of joint 5
 high5 = 2.356100001  # highest value of joint 5
 m1 = 1.8906249999999995e-24  # free_limit1^2 [m^2]
-m3 = 3.574462890625e-48  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
+m3 = 1.1235955056179774  # a coefficient of Y1_2
+m4 = 0.003174157303370838  # a coefficient of Y1_2
+m5 = 0.10245901639344261  # a coefficient of c2m3
+m6 = 1.1270491803278688  # a coefficient of c2m3
+m7 = 0.0031839139344262803  # a coefficient of c2m3
+m8 = 0.00028944672131148006  # a coefficient of c2m3
+m9 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -539,201 +544,176 @@ def _regular(pose, q, status):
     v5 = Z1_3 * Z1_3
     N3_p = v5 + v3 * v3
     N3_m = v5 + v4 * v4
-    K3_p = N3_p - k3
-    K3_m = N3_m - k3
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = k1 * K3_p
-    v7 = k1 * K3_m
-    v8 = k2 * w3_p
-    v9 = k2 * w3_m
-    s3_pp = k4 * (v6 + v8)
-    s3_pm = k4 * (v6 - v8)
-    s3_mp = k4 * (v7 + v9)
-    s3_mm = k4 * (v7 - v9)
-    v10 = k2 * K3_p
-    v11 = k2 * K3_m
-    v12 = k1 * w3_p
-    v13 = k1 * w3_m
-    c3_pp = k4 * (v10 - v12)
-    c3_pm = k4 * (v10 + v12)
-    c3_mp = k4 * (v11 - v13)
-    c3_mm = k4 * (v11 + v13)
-    angle1_ = _atan2(w3_p, K3_p)
-    angle1__ = _atan2(w3_m, K3_m)
+    angle1_ = _atan2(w3_p, N3_p - k3)
+    angle1__ = _atan2(w3_m, N3_m - k3)
     q3__pp = angle1_ - turn1
-    v14 = turn1 + angle1_
+    v6 = turn1 + angle1_
     q3__mp = angle1__ - turn1
-    v15 = turn1 + angle1__
+    v7 = turn1 + angle1__
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    X1_2_pp = a3 * s3_pp - d4 * c3_pp
-    X1_2_pm = a3 * s3_pm - d4 * c3_pm
-    X1_2_mp = a3 * s3_mp - d4 * c3_mp
-    X1_2_mm = a3 * s3_mm - d4 * c3_mm
-    Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
-    Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
-    Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
-    Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
-    v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
-    v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
-    v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
-    v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
-    C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
-    C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
-    C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
-    C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
-    v20 = v16 * v16 + C2_pp * C2_pp
-    v21 = v17 * v17 + C2_pm * C2_pm
-    v22 = v18 * v18 + C2_mp * C2_mp
-    v23 = v19 * v19 + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v20)
-    factor2_pm = 1.0 / math.sqrt(v21)
-    factor2_mp = 1.0 / math.sqrt(v22)
-    factor2_mm = 1.0 / math.sqrt(v23)
-    c2_pp = C2_pp * factor2_pp
-    c2_pm = C2_pm * factor2_pm
-    c2_mp = C2_mp * factor2_mp
-    c2_mm = C2_mm * factor2_mm
-    v24 = v16 * factor2_pp
-    v25 = v17 * factor2_pm
-    v26 = v18 * factor2_mp
-    v27 = v19 * factor2_mm
+    Y1_2_p = m4 + m3 * N3_p
+    Y1_2_m = m4 + m3 * N3_m
+    v8 = Z1_3 * Y1_2_p
+    v9 = Z1_3 * Y1_2_m
+    v10 = v3 * Y1_2_p
+    v11 = v4 * Y1_2_m
+    v12 = m3 * Z1_3
+    v13 = m3 * -Z1_3
+    factor2_p = 1.0 / N3_p
+    factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    c2m3_pp = c3_pp * c2_pp - s3_pp * v24
-    c2m3_pm = c3_pm * c2_pm - s3_pm * v25
-    c2m3_mp = c3_mp * c2_mp - s3_mp * v26
-    c2m3_mm = c3_mm * c2_mm - s3_mm * v27
-    v28 = c3_pp * v24 + s3_pp * c2_pp
-    v29 = c3_pm * v25 + s3_pm * c2_pm
-    v30 = c3_mp * v26 + s3_mp * c2_mp
-    v31 = c3_mm * v27 + s3_mm * c2_mm
-    v32 = T23 * s1 - T13 * v2
-    c4_pp = T33 * v28 + c2m3_pp * v32
-    c4_pm = T33 * v29 + c2m3_pm * v32
-    c4_mp = T33 * v30 - c2m3_mp * v32
-    c4_mm = T33 * v31 - c2m3_mm * v32
-    v33 = T23 * v2 + T13 * s1
-    v34 = v33 * v33
-    v35 = v34 + c4_pp * c4_pp
-    v36 = v34 + c4_pm * c4_pm
-    v37 = v34 + c4_mp * c4_mp
-    v38 = v34 + c4_mm * c4_mm
-    angle1___ = _atan2(-v33, c4_pp)
-    angle1____ = _atan2(-v33, c4_pm)
-    angle1_____ = _atan2(v33, c4_mp)
-    angle1______ = _atan2(v33, c4_mm)
-    v39 = h1 * math.copysign(half_turn, -v33)
-    v40 = h1 * math.copysign(half_turn, v33)
-    q4_ppm = angle1___ - v39
-    q4_pmm = angle1____ - v39
-    q4_mpm = angle1_____ - v40
-    q4_mmm = angle1______ - v40
+    v14 = m5 * Z1_3
+    v15 = m6 * v3 - v14
+    v16 = m6 * v4 - v14
+    v17 = m7 * factor2_p - m6
+    v18 = m7 * factor2_m - m6
+    v19 = m8 * factor2_p - m5
+    v20 = m8 * factor2_m - m5
+    v21 = Z1_3 * v17 + v3 * v19
+    v22 = Z1_3 * v18 + v4 * v20
+    c2m3_pp = v21 + w3_p * (factor2_p * v15)
+    c2m3_pm = v21 + w3_p * (factor2_p * -v15)
+    c2m3_mp = v22 + w3_m * (factor2_m * v16)
+    c2m3_mm = v22 + w3_m * (factor2_m * -v16)
+    v23 = m6 * Z1_3
+    v24 = Z1_3 * v19 + v3 * -v17
+    v25 = Z1_3 * v20 + v4 * -v18
+    v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+    s2m3_pp = v24 + v26
+    s2m3_pm = v24 - v26
+    v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+    s2m3_mp = v25 + v27
+    s2m3_mm = v25 - v27
+    v28 = T23 * s1 - T13 * v2
+    X4_pp = T33 * s2m3_pp - c2m3_pp * v28
+    X4_pm = T33 * s2m3_pm - c2m3_pm * v28
+    X4_mp = T33 * s2m3_mp + c2m3_mp * v28
+    X4_mm = T33 * s2m3_mm + c2m3_mm * v28
+    v29 = T23 * v2 + T13 * s1
+    v30 = v29 * v29
+    v31 = v30 + X4_pp * X4_pp
+    v32 = v30 + X4_pm * X4_pm
+    v33 = v30 + X4_mp * X4_mp
+    v34 = v30 + X4_mm * X4_mm
+    angle1___ = _atan2(-v29, -X4_pp)
+    angle1____ = _atan2(-v29, -X4_pm)
+    angle1_____ = _atan2(v29, -X4_mp)
+    angle1______ = _atan2(v29, -X4_mm)
+    v35 = h1 * math.copysign(half_turn, -v29)
+    v36 = h1 * math.copysign(half_turn, v29)
+    q4_ppm = angle1___ - v35
+    q4_pmm = angle1____ - v35
+    q4_mpm = angle1_____ - v36
+    q4_mmm = angle1______ - v36
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v41 = s1 * T12 + v2 * T22
-    v42 = s1 * T22 - v2 * T12
-    v43 = s1 * T11 + v2 * T21
-    v44 = s1 * T21 - v2 * T11
+    v37 = s1 * T12 + v2 * T22
+    v38 = s1 * T22 - v2 * T12
+    v39 = s1 * T11 + v2 * T21
+    v40 = s1 * T21 - v2 * T11
 
     # joint values
-    angle1_______ = _atan2(-v16, C2_pp)
-    v45 = angle1_______ - offset2
-    angle1________ = _atan2(-v17, C2_pm)
-    v46 = angle1________ - offset2
-    angle1_________ = _atan2(-v18, C2_mp)
-    v47 = angle1_________ - offset2
-    angle1__________ = _atan2(-v19, C2_mm)
-    v48 = angle1__________ - offset2
-    q2_ppp = v45 - (m5 if half_turn < v45 else 0.0)
-    q2_pmp = v46 - (m5 if half_turn < v46 else 0.0)
-    q2_mpp = v47 - (m5 if half_turn < v47 else 0.0)
-    q2_mmp = v48 - (m5 if half_turn < v48 else 0.0)
-    angle1___________ = _atan2(-math.sqrt(v35), T33 * c2m3_pp - v28 * v32)
-    angle1____________ = _atan2(-math.sqrt(v36), T33 * c2m3_pm - v29 * v32)
-    angle1_____________ = _atan2(-math.sqrt(v37), T33 * c2m3_mp + v30 * v32)
-    angle1______________ = _atan2(-math.sqrt(v38), T33 * c2m3_mm + v31 * v32)
-    v49 = angle1___________ - offset5
-    v50 = offset5 + angle1___________
-    v51 = angle1____________ - offset5
-    v52 = offset5 + angle1____________
-    v53 = angle1_____________ - offset5
-    v54 = offset5 + angle1_____________
-    v55 = angle1______________ - offset5
-    v56 = offset5 + angle1______________
-    q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
-    q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
-    q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-    q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-    q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
-    q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
-    q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
-    q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
-    v57 = c4_pp * v43 - v33 * (v28 * T31 + c2m3_pp * v44)
-    v58 = c4_pm * v43 - v33 * (v29 * T31 + c2m3_pm * v44)
-    v59 = v33 * (v30 * T31 - c2m3_mp * v44) - c4_mp * v43
-    v60 = v33 * (v31 * T31 - c2m3_mm * v44) - c4_mm * v43
-    angle1_______________ = _atan2(v57, v33 * (v28 * T32 + c2m3_pp * v42) - c4_pp * v41)
-    angle1________________ = _atan2(v58, v33 * (v29 * T32 + c2m3_pm * v42) - c4_pm * v41)
-    angle1_________________ = _atan2(v59, c4_mp * v41 - v33 * (v30 * T32 - c2m3_mp * v42))
-    angle1__________________ = _atan2(v60, c4_mm * v41 - v33 * (v31 * T32 - c2m3_mm * v42))
-    v61 = angle1_______________ - offset6
-    v62 = angle1_______________ - h1 * math.copysign(half_turn, v57) - offset6
-    v63 = angle1________________ - offset6
-    v64 = angle1________________ - h1 * math.copysign(half_turn, v58) - offset6
-    v65 = angle1_________________ - offset6
-    v66 = angle1_________________ - h1 * math.copysign(half_turn, v59) - offset6
-    v67 = angle1__________________ - offset6
-    v68 = angle1__________________ - h1 * math.copysign(half_turn, v60) - offset6
-    q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
-    q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
-    q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
-    q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
-    q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
-    q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
-    q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
-    v69 = q3__pp - (m5 if half_turn < q3__pp else 0.0)
-    v70 = v14 + (m5 if half_turn < -v14 else 0.0)
-    v71 = q3__mp - (m5 if half_turn < q3__mp else 0.0)
-    v72 = v15 + (m5 if half_turn < -v15 else 0.0)
-    v73 = angle1 < low1 or high1 < angle1
-    v74 = q1__m < low1 or high1 < q1__m
-    v75 = v69 + (whole_turn if v69 < low3 else 0.0)
-    v76 = (whole_turn if -v70 < low3 else 0.0) - v70
-    v77 = v71 + (whole_turn if v71 < low3 else 0.0)
-    v78 = (whole_turn if -v72 < low3 else 0.0) - v72
+    v41 = w3_p * (m3 * v3)
+    angle1_______ = _atan2(-(v8 + v41), w3_p * v12 - v10)
+    v42 = angle1_______ - offset2
+    angle1________ = _atan2(v41 - v8, w3_p * v13 - v10)
+    v43 = angle1________ - offset2
+    angle1_________ = _atan2(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11)
+    v44 = angle1_________ - offset2
+    angle1__________ = _atan2(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11)
+    v45 = angle1__________ - offset2
+    q2_ppp = v42 - (m10 if half_turn < v42 else 0.0)
+    q2_pmp = v43 - (m10 if half_turn < v43 else 0.0)
+    q2_mpp = v44 - (m10 if half_turn < v44 else 0.0)
+    q2_mmp = v45 - (m10 if half_turn < v45 else 0.0)
+    angle1___________ = _atan2(-math.sqrt(v31), T33 * c2m3_pp + s2m3_pp * v28)
+    angle1____________ = _atan2(-math.sqrt(v32), T33 * c2m3_pm + s2m3_pm * v28)
+    angle1_____________ = _atan2(-math.sqrt(v33), T33 * c2m3_mp - s2m3_mp * v28)
+    angle1______________ = _atan2(-math.sqrt(v34), T33 * c2m3_mm - s2m3_mm * v28)
+    v46 = angle1___________ - offset5
+    v47 = offset5 + angle1___________
+    v48 = angle1____________ - offset5
+    v49 = offset5 + angle1____________
+    v50 = angle1_____________ - offset5
+    v51 = offset5 + angle1_____________
+    v52 = angle1______________ - offset5
+    v53 = offset5 + angle1______________
+    q5_ppp = v46 + (m10 if v46 <= -half_turn else 0.0)
+    q5_ppm = (m10 if -v47 <= -half_turn else 0.0) - v47
+    q5_pmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+    q5_pmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+    q5_mpp = v50 + (m10 if v50 <= -half_turn else 0.0)
+    q5_mpm = (m10 if -v51 <= -half_turn else 0.0) - v51
+    q5_mmp = v52 + (m10 if v52 <= -half_turn else 0.0)
+    q5_mmm = (m10 if -v53 <= -half_turn else 0.0) - v53
+    v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
+    v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
+    v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
+    v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
+    angle1_______________ = _atan2(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37)
+    angle1________________ = _atan2(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37)
+    angle1_________________ = _atan2(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37)
+    angle1__________________ = _atan2(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37)
+    v58 = angle1_______________ - offset6
+    v59 = angle1_______________ - h1 * math.copysign(half_turn, v54) - offset6
+    v60 = angle1________________ - offset6
+    v61 = angle1________________ - h1 * math.copysign(half_turn, v55) - offset6
+    v62 = angle1_________________ - offset6
+    v63 = angle1_________________ - h1 * math.copysign(half_turn, v56) - offset6
+    v64 = angle1__________________ - offset6
+    v65 = angle1__________________ - h1 * math.copysign(half_turn, v57) - offset6
+    q6_ppp = v58 + (m10 if v58 <= -half_turn else 0.0)
+    q6_ppm = v59 + (m10 if v59 <= -half_turn else 0.0)
+    q6_pmp = v60 + (m10 if v60 <= -half_turn else 0.0)
+    q6_pmm = v61 + (m10 if v61 <= -half_turn else 0.0)
+    q6_mpp = v62 + (m10 if v62 <= -half_turn else 0.0)
+    q6_mpm = v63 + (m10 if v63 <= -half_turn else 0.0)
+    q6_mmp = v64 + (m10 if v64 <= -half_turn else 0.0)
+    q6_mmm = v65 + (m10 if v65 <= -half_turn else 0.0)
+    v66 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
+    v67 = v6 + (m10 if half_turn < -v6 else 0.0)
+    v68 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
+    v69 = v7 + (m10 if half_turn < -v7 else 0.0)
+    v70 = angle1 < low1 or high1 < angle1
+    v71 = q1__m < low1 or high1 < q1__m
+    v72 = v66 + (whole_turn if v66 < low3 else 0.0)
+    v73 = (whole_turn if -v67 < low3 else 0.0) - v67
+    v74 = v68 + (whole_turn if v68 < low3 else 0.0)
+    v75 = (whole_turn if -v69 < low3 else 0.0) - v69
+    v76 = v72 < low3 or high3 < v72
+    v77 = v73 < low3 or high3 < v73
+    v78 = v74 < low3 or high3 < v74
     v79 = v75 < low3 or high3 < v75
-    v80 = v76 < low3 or high3 < v76
-    v81 = v77 < low3 or high3 < v77
-    v82 = v78 < low3 or high3 < v78
-    q3_ppp = v69 if v79 else v75
-    q3_pmp = -v70 if v80 else v76
-    q3_mpp = v71 if v81 else v77
-    q3_mmp = -v72 if v82 else v78
+    q3_ppp = v66 if v76 else v72
+    q3_pmp = -v67 if v77 else v73
+    q3_mpp = v68 if v78 else v74
+    q3_mmp = -v69 if v79 else v75
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v83 = v79 or (v73 or (q2_ppp < low2 or high2 < q2_ppp))
-    v84 = v80 or (v73 or (q2_pmp < low2 or high2 < q2_pmp))
-    v85 = v81 or (v74 or (q2_mpp < low2 or high2 < q2_mpp))
-    v86 = v82 or (v74 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v83 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v83 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v84 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v84 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v85 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v85 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v86 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v86 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt = (
-        v23 <= m3 or v38 <= m4 or (v22 <= m3 or v37 <= m4 or (v21 <= m3 or v36 <= m4 or (v20 <= m3
-        or v35 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart
-        < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach <= N3_p and N3_p <=
-        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
+    v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
+    v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
+    v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
+    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v34 <= m9 or (v33 <= m9 or (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
@@ -988,155 +968,130 @@ def _in_tiles(T, q, status):
             v5 = Z1_3 * Z1_3
             N3_p = v5 + v3 * v3
             N3_m = v5 + v4 * v4
-            K3_p = N3_p - k3
-            K3_m = N3_m - k3
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = k1 * K3_p
-            v7 = k1 * K3_m
-            v8 = k2 * w3_p
-            v9 = k2 * w3_m
-            s3_pp = k4 * (v6 + v8)
-            s3_pm = k4 * (v6 - v8)
-            s3_mp = k4 * (v7 + v9)
-            s3_mm = k4 * (v7 - v9)
-            v10 = k2 * K3_p
-            v11 = k2 * K3_m
-            v12 = k1 * w3_p
-            v13 = k1 * w3_m
-            c3_pp = k4 * (v10 - v12)
-            c3_pm = k4 * (v10 + v12)
-            c3_mp = k4 * (v11 - v13)
-            c3_mm = k4 * (v11 + v13)
-            X1_2_pp = a3 * s3_pp - d4 * c3_pp
-            X1_2_pm = a3 * s3_pm - d4 * c3_pm
-            X1_2_mp = a3 * s3_mp - d4 * c3_mp
-            X1_2_mm = a3 * s3_mm - d4 * c3_mm
-            Y1_2_pp = a2 + (a3 * c3_pp + d4 * s3_pp)
-            Y1_2_pm = a2 + (a3 * c3_pm + d4 * s3_pm)
-            Y1_2_mp = a2 + (a3 * c3_mp + d4 * s3_mp)
-            Y1_2_mm = a2 + (a3 * c3_mm + d4 * s3_mm)
-            v16 = v3 * X1_2_pp + Z1_3 * Y1_2_pp
-            v17 = v3 * X1_2_pm + Z1_3 * Y1_2_pm
-            v18 = v4 * X1_2_mp + Z1_3 * Y1_2_mp
-            v19 = v4 * X1_2_mm + Z1_3 * Y1_2_mm
-            C2_pp = Z1_3 * X1_2_pp - v3 * Y1_2_pp
-            C2_pm = Z1_3 * X1_2_pm - v3 * Y1_2_pm
-            C2_mp = Z1_3 * X1_2_mp - v4 * Y1_2_mp
-            C2_mm = Z1_3 * X1_2_mm - v4 * Y1_2_mm
-            v20 = v16 * v16 + C2_pp * C2_pp
-            v21 = v17 * v17 + C2_pm * C2_pm
-            v22 = v18 * v18 + C2_mp * C2_mp
-            v23 = v19 * v19 + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v20)
-            factor2_pm = 1.0 / math.sqrt(v21)
-            factor2_mp = 1.0 / math.sqrt(v22)
-            factor2_mm = 1.0 / math.sqrt(v23)
-            c2_pp = C2_pp * factor2_pp
-            c2_pm = C2_pm * factor2_pm
-            c2_mp = C2_mp * factor2_mp
-            c2_mm = C2_mm * factor2_mm
-            v24 = v16 * factor2_pp
-            v25 = v17 * factor2_pm
-            v26 = v18 * factor2_mp
-            v27 = v19 * factor2_mm
-            c2m3_pp = c3_pp * c2_pp - s3_pp * v24
-            c2m3_pm = c3_pm * c2_pm - s3_pm * v25
-            c2m3_mp = c3_mp * c2_mp - s3_mp * v26
-            c2m3_mm = c3_mm * c2_mm - s3_mm * v27
-            v28 = c3_pp * v24 + s3_pp * c2_pp
-            v29 = c3_pm * v25 + s3_pm * c2_pm
-            v30 = c3_mp * v26 + s3_mp * c2_mp
-            v31 = c3_mm * v27 + s3_mm * c2_mm
-            v32 = T23 * s1 - T13 * v2
-            c4_pp = T33 * v28 + c2m3_pp * v32
-            c4_pm = T33 * v29 + c2m3_pm * v32
-            c4_mp = T33 * v30 - c2m3_mp * v32
-            c4_mm = T33 * v31 - c2m3_mm * v32
-            v33 = T23 * v2 + T13 * s1
-            v34 = v33 * v33
-            v35 = v34 + c4_pp * c4_pp
-            v36 = v34 + c4_pm * c4_pm
-            v37 = v34 + c4_mp * c4_mp
-            v38 = v34 + c4_mm * c4_mm
-            v39 = h1 * math.copysign(half_turn, -v33)
-            v40 = h1 * math.copysign(half_turn, v33)
-            v41 = s1 * T12 + v2 * T22
-            v42 = s1 * T22 - v2 * T12
-            v43 = s1 * T11 + v2 * T21
-            v44 = s1 * T21 - v2 * T11
-            v57 = c4_pp * v43 - v33 * (v28 * T31 + c2m3_pp * v44)
-            v58 = c4_pm * v43 - v33 * (v29 * T31 + c2m3_pm * v44)
-            v59 = v33 * (v30 * T31 - c2m3_mp * v44) - c4_mp * v43
-            v60 = v33 * (v31 * T31 - c2m3_mm * v44) - c4_mm * v43
-            doubt = (
-                v23 <= m3 or v38 <= m4 or (v22 <= m3 or v37 <= m4 or (v21 <= m3 or v36 <= m4 or (v20
-                <= m3 or v35 <= m4 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-                (shortest3_apart < N3_m and N3_m < longest3_apart) or (v1 <= m1 or shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+            Y1_2_p = m4 + m3 * N3_p
+            Y1_2_m = m4 + m3 * N3_m
+            v8 = Z1_3 * Y1_2_p
+            v9 = Z1_3 * Y1_2_m
+            v10 = v3 * Y1_2_p
+            v11 = v4 * Y1_2_m
+            v12 = m3 * Z1_3
+            v13 = m3 * -Z1_3
+            factor2_p = 1.0 / N3_p
+            factor2_m = 1.0 / N3_m
+            v14 = m5 * Z1_3
+            v15 = m6 * v3 - v14
+            v16 = m6 * v4 - v14
+            v17 = m7 * factor2_p - m6
+            v18 = m7 * factor2_m - m6
+            v19 = m8 * factor2_p - m5
+            v20 = m8 * factor2_m - m5
+            v21 = Z1_3 * v17 + v3 * v19
+            v22 = Z1_3 * v18 + v4 * v20
+            c2m3_pp = v21 + w3_p * (factor2_p * v15)
+            c2m3_pm = v21 + w3_p * (factor2_p * -v15)
+            c2m3_mp = v22 + w3_m * (factor2_m * v16)
+            c2m3_mm = v22 + w3_m * (factor2_m * -v16)
+            v23 = m6 * Z1_3
+            v24 = Z1_3 * v19 + v3 * -v17
+            v25 = Z1_3 * v20 + v4 * -v18
+            v26 = w3_p * (factor2_p * (v23 + m5 * v3))
+            s2m3_pp = v24 + v26
+            s2m3_pm = v24 - v26
+            v27 = w3_m * (factor2_m * (v23 + m5 * v4))
+            s2m3_mp = v25 + v27
+            s2m3_mm = v25 - v27
+            v28 = T23 * s1 - T13 * v2
+            X4_pp = T33 * s2m3_pp - c2m3_pp * v28
+            X4_pm = T33 * s2m3_pm - c2m3_pm * v28
+            X4_mp = T33 * s2m3_mp + c2m3_mp * v28
+            X4_mm = T33 * s2m3_mm + c2m3_mm * v28
+            v29 = T23 * v2 + T13 * s1
+            v30 = v29 * v29
+            v31 = v30 + X4_pp * X4_pp
+            v32 = v30 + X4_pm * X4_pm
+            v33 = v30 + X4_mp * X4_mp
+            v34 = v30 + X4_mm * X4_mm
+            v35 = h1 * math.copysign(half_turn, -v29)
+            v36 = h1 * math.copysign(half_turn, v29)
+            v37 = s1 * T12 + v2 * T22
+            v38 = s1 * T22 - v2 * T12
+            v39 = s1 * T11 + v2 * T21
+            v40 = s1 * T21 - v2 * T11
+            v41 = w3_p * (m3 * v3)
+            v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
+            v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
+            v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
+            v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
+            doubt1 = (
+                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v34 <= m9 or (v33 <= m9 or
+                (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
-            work[640 + k] = v39
-            work[672 + k] = v40
-            work[704 + k] = v57
-            work[736 + k] = v58
-            work[768 + k] = v59
-            work[800 + k] = v60
-            work[832 + k] = doubt
+            work[640 + k] = v35
+            work[672 + k] = v36
+            work[704 + k] = v54
+            work[736 + k] = v55
+            work[768 + k] = v56
+            work[800 + k] = v57
+            work[832 + k] = doubt1
             work[864 + k] = Y1
             work[896 + k] = w3_p
             work[928 + k] = w3_m
-            work[960 + k] = -v33
-            work[992 + k] = -v33
-            work[1024 + k] = v33
-            work[1056 + k] = v33
-            work[1088 + k] = -v16
-            work[1120 + k] = -v17
-            work[1152 + k] = -v18
-            work[1184 + k] = -v19
-            work[1216 + k] = -math.sqrt(v35)
-            work[1248 + k] = -math.sqrt(v36)
-            work[1280 + k] = -math.sqrt(v37)
-            work[1312 + k] = -math.sqrt(v38)
-            work[1344 + k] = v57
-            work[1376 + k] = v58
-            work[1408 + k] = v59
-            work[1440 + k] = v60
+            work[960 + k] = -v29
+            work[992 + k] = -v29
+            work[1024 + k] = v29
+            work[1056 + k] = v29
+            work[1088 + k] = -(v8 + v41)
+            work[1120 + k] = v41 - v8
+            work[1152 + k] = -(v9 + w3_m * (m3 * v4))
+            work[1184 + k] = -(v9 + w3_m * (m3 * -v4))
+            work[1216 + k] = -math.sqrt(v31)
+            work[1248 + k] = -math.sqrt(v32)
+            work[1280 + k] = -math.sqrt(v33)
+            work[1312 + k] = -math.sqrt(v34)
+            work[1344 + k] = v54
+            work[1376 + k] = v55
+            work[1408 + k] = v56
+            work[1440 + k] = v57
             work[1472 + k] = -wx
-            work[1504 + k] = K3_p
-            work[1536 + k] = K3_m
-            work[1568 + k] = c4_pp
-            work[1600 + k] = c4_pm
-            work[1632 + k] = c4_mp
-            work[1664 + k] = c4_mm
-            work[1696 + k] = C2_pp
-            work[1728 + k] = C2_pm
-            work[1760 + k] = C2_mp
-            work[1792 + k] = C2_mm
-            work[1824 + k] = T33 * c2m3_pp - v28 * v32
-            work[1856 + k] = T33 * c2m3_pm - v29 * v32
-            work[1888 + k] = T33 * c2m3_mp + v30 * v32
-            work[1920 + k] = T33 * c2m3_mm + v31 * v32
-            work[1952 + k] = v33 * (v28 * T32 + c2m3_pp * v42) - c4_pp * v41
-            work[1984 + k] = v33 * (v29 * T32 + c2m3_pm * v42) - c4_pm * v41
-            work[2016 + k] = c4_mp * v41 - v33 * (v30 * T32 - c2m3_mp * v42)
-            work[2048 + k] = c4_mm * v41 - v33 * (v31 * T32 - c2m3_mm * v42)
+            work[1504 + k] = N3_p - k3
+            work[1536 + k] = N3_m - k3
+            work[1568 + k] = -X4_pp
+            work[1600 + k] = -X4_pm
+            work[1632 + k] = -X4_mp
+            work[1664 + k] = -X4_mm
+            work[1696 + k] = w3_p * v12 - v10
+            work[1728 + k] = w3_p * v13 - v10
+            work[1760 + k] = w3_m * v12 - v11
+            work[1792 + k] = w3_m * v13 - v11
+            work[1824 + k] = T33 * c2m3_pp + s2m3_pp * v28
+            work[1856 + k] = T33 * c2m3_pm + s2m3_pm * v28
+            work[1888 + k] = T33 * c2m3_mp - s2m3_mp * v28
+            work[1920 + k] = T33 * c2m3_mm - s2m3_mm * v28
+            work[1952 + k] = v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37
+            work[1984 + k] = v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37
+            work[2016 + k] = v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37
+            work[2048 + k] = v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             Y1 = work[544 + k]
             w3_p = work[576 + k]
             w3_m = work[608 + k]
-            v39 = work[640 + k]
-            v40 = work[672 + k]
-            v57 = work[704 + k]
-            v58 = work[736 + k]
-            v59 = work[768 + k]
-            v60 = work[800 + k]
-            doubt = work[832 + k] != 0.0
+            v35 = work[640 + k]
+            v36 = work[672 + k]
+            v54 = work[704 + k]
+            v55 = work[736 + k]
+            v56 = work[768 + k]
+            v57 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
             angle1__ = work[928 + k]
@@ -1158,85 +1113,85 @@ def _in_tiles(T, q, status):
             angle1__________________ = work[1440 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
             q3__pp = angle1_ - turn1
-            v14 = turn1 + angle1_
+            v6 = turn1 + angle1_
             q3__mp = angle1__ - turn1
-            v15 = turn1 + angle1__
-            q4_ppm = angle1___ - v39
-            q4_pmm = angle1____ - v39
-            q4_mpm = angle1_____ - v40
-            q4_mmm = angle1______ - v40
-            v45 = angle1_______ - offset2
-            v46 = angle1________ - offset2
-            v47 = angle1_________ - offset2
-            v48 = angle1__________ - offset2
-            q2_ppp = v45 - (m5 if half_turn < v45 else 0.0)
-            q2_pmp = v46 - (m5 if half_turn < v46 else 0.0)
-            q2_mpp = v47 - (m5 if half_turn < v47 else 0.0)
-            q2_mmp = v48 - (m5 if half_turn < v48 else 0.0)
-            v49 = angle1___________ - offset5
-            v50 = offset5 + angle1___________
-            v51 = angle1____________ - offset5
-            v52 = offset5 + angle1____________
-            v53 = angle1_____________ - offset5
-            v54 = offset5 + angle1_____________
-            v55 = angle1______________ - offset5
-            v56 = offset5 + angle1______________
-            q5_ppp = v49 + (m5 if v49 <= -half_turn else 0.0)
-            q5_ppm = (m5 if -v50 <= -half_turn else 0.0) - v50
-            q5_pmp = v51 + (m5 if v51 <= -half_turn else 0.0)
-            q5_pmm = (m5 if -v52 <= -half_turn else 0.0) - v52
-            q5_mpp = v53 + (m5 if v53 <= -half_turn else 0.0)
-            q5_mpm = (m5 if -v54 <= -half_turn else 0.0) - v54
-            q5_mmp = v55 + (m5 if v55 <= -half_turn else 0.0)
-            q5_mmm = (m5 if -v56 <= -half_turn else 0.0) - v56
-            v61 = angle1_______________ - offset6
-            v62 = angle1_______________ - h1 * math.copysign(half_turn, v57) - offset6
-            v63 = angle1________________ - offset6
-            v64 = angle1________________ - h1 * math.copysign(half_turn, v58) - offset6
-            v65 = angle1_________________ - offset6
-            v66 = angle1_________________ - h1 * math.copysign(half_turn, v59) - offset6
-            v67 = angle1__________________ - offset6
-            v68 = angle1__________________ - h1 * math.copysign(half_turn, v60) - offset6
-            q6_ppp = v61 + (m5 if v61 <= -half_turn else 0.0)
-            q6_ppm = v62 + (m5 if v62 <= -half_turn else 0.0)
-            q6_pmp = v63 + (m5 if v63 <= -half_turn else 0.0)
-            q6_pmm = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q6_mpp = v65 + (m5 if v65 <= -half_turn else 0.0)
-            q6_mpm = v66 + (m5 if v66 <= -half_turn else 0.0)
-            q6_mmp = v67 + (m5 if v67 <= -half_turn else 0.0)
-            q6_mmm = v68 + (m5 if v68 <= -half_turn else 0.0)
-            v69 = q3__pp - (m5 if half_turn < q3__pp else 0.0)
-            v70 = v14 + (m5 if half_turn < -v14 else 0.0)
-            v71 = q3__mp - (m5 if half_turn < q3__mp else 0.0)
-            v72 = v15 + (m5 if half_turn < -v15 else 0.0)
-            v73 = angle1 < low1 or high1 < angle1
-            v74 = q1__m < low1 or high1 < q1__m
-            v75 = v69 + (whole_turn if v69 < low3 else 0.0)
-            v76 = (whole_turn if -v70 < low3 else 0.0) - v70
-            v77 = v71 + (whole_turn if v71 < low3 else 0.0)
-            v78 = (whole_turn if -v72 < low3 else 0.0) - v72
+            v7 = turn1 + angle1__
+            q4_ppm = angle1___ - v35
+            q4_pmm = angle1____ - v35
+            q4_mpm = angle1_____ - v36
+            q4_mmm = angle1______ - v36
+            v42 = angle1_______ - offset2
+            v43 = angle1________ - offset2
+            v44 = angle1_________ - offset2
+            v45 = angle1__________ - offset2
+            q2_ppp = v42 - (m10 if half_turn < v42 else 0.0)
+            q2_pmp = v43 - (m10 if half_turn < v43 else 0.0)
+            q2_mpp = v44 - (m10 if half_turn < v44 else 0.0)
+            q2_mmp = v45 - (m10 if half_turn < v45 else 0.0)
+            v46 = angle1___________ - offset5
+            v47 = offset5 + angle1___________
+            v48 = angle1____________ - offset5
+            v49 = offset5 + angle1____________
+            v50 = angle1_____________ - offset5
+            v51 = offset5 + angle1_____________
+            v52 = angle1______________ - offset5
+            v53 = offset5 + angle1______________
+            q5_ppp = v46 + (m10 if v46 <= -half_turn else 0.0)
+            q5_ppm = (m10 if -v47 <= -half_turn else 0.0) - v47
+            q5_pmp = v48 + (m10 if v48 <= -half_turn else 0.0)
+            q5_pmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+            q5_mpp = v50 + (m10 if v50 <= -half_turn else 0.0)
+            q5_mpm = (m10 if -v51 <= -half_turn else 0.0) - v51
+            q5_mmp = v52 + (m10 if v52 <= -half_turn else 0.0)
+            q5_mmm = (m10 if -v53 <= -half_turn else 0.0) - v53
+            v58 = angle1_______________ - offset6
+            v59 = angle1_______________ - h1 * math.copysign(half_turn, v54) - offset6
+            v60 = angle1________________ - offset6
+            v61 = angle1________________ - h1 * math.copysign(half_turn, v55) - offset6
+            v62 = angle1_________________ - offset6
+            v63 = angle1_________________ - h1 * math.copysign(half_turn, v56) - offset6
+            v64 = angle1__________________ - offset6
+            v65 = angle1__________________ - h1 * math.copysign(half_turn, v57) - offset6
+            q6_ppp = v58 + (m10 if v58 <= -half_turn else 0.0)
+            q6_ppm = v59 + (m10 if v59 <= -half_turn else 0.0)
+            q6_pmp = v60 + (m10 if v60 <= -half_turn else 0.0)
+            q6_pmm = v61 + (m10 if v61 <= -half_turn else 0.0)
+            q6_mpp = v62 + (m10 if v62 <= -half_turn else 0.0)
+            q6_mpm = v63 + (m10 if v63 <= -half_turn else 0.0)
+            q6_mmp = v64 + (m10 if v64 <= -half_turn else 0.0)
+            q6_mmm = v65 + (m10 if v65 <= -half_turn else 0.0)
+            v66 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
+            v67 = v6 + (m10 if half_turn < -v6 else 0.0)
+            v68 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
+            v69 = v7 + (m10 if half_turn < -v7 else 0.0)
+            v70 = angle1 < low1 or high1 < angle1
+            v71 = q1__m < low1 or high1 < q1__m
+            v72 = v66 + (whole_turn if v66 < low3 else 0.0)
+            v73 = (whole_turn if -v67 < low3 else 0.0) - v67
+            v74 = v68 + (whole_turn if v68 < low3 else 0.0)
+            v75 = (whole_turn if -v69 < low3 else 0.0) - v69
+            v76 = v72 < low3 or high3 < v72
+            v77 = v73 < low3 or high3 < v73
+            v78 = v74 < low3 or high3 < v74
             v79 = v75 < low3 or high3 < v75
-            v80 = v76 < low3 or high3 < v76
-            v81 = v77 < low3 or high3 < v77
-            v82 = v78 < low3 or high3 < v78
-            q3_ppp = v69 if v79 else v75
-            q3_pmp = -v70 if v80 else v76
-            q3_mpp = v71 if v81 else v77
-            q3_mmp = -v72 if v82 else v78
+            q3_ppp = v66 if v76 else v72
+            q3_pmp = -v67 if v77 else v73
+            q3_mpp = v68 if v78 else v74
+            q3_mmp = -v69 if v79 else v75
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v83 = v79 or (v73 or (q2_ppp < low2 or high2 < q2_ppp))
-            v84 = v80 or (v73 or (q2_pmp < low2 or high2 < q2_pmp))
-            v85 = v81 or (v74 or (q2_mpp < low2 or high2 < q2_mpp))
-            v86 = v82 or (v74 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v83 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v83 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v84 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v84 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v85 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v85 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v86 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v86 or (q5_mmm < low5 or high5 < q5_mmm)
+            v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
+            v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
+            v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
+            v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
+            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp
@@ -1329,7 +1284,7 @@ def _in_tiles(T, q, status):
             work[3392 + k] = (
                 UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt else work[512 + k]
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

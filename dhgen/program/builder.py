@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.graph import Graph
@@ -111,6 +112,20 @@ class Builder(Graph):
     def select(self, condition: Node, yes: Node, no: Node) -> Node:
         """yes where the condition holds, else no."""
         return yes if yes == no else self.apply("select", condition, yes, no)
+
+    def disjunctions(self, truths: Iterable[Node]) -> list[Node]:
+        """Whether any of these holds: one truth value for each type, the narrow ones first."""
+        pending = list(truths)
+        merged: dict[tuple[int, ...], list[Node]] = {}
+        while pending:
+            node = pending.pop(0)
+            entry = self.entries[node]
+            if entry.operator == "or":
+                pending += entry.operands
+            elif node not in (known := merged.setdefault(entry.axes, [])):
+                known.append(node)
+        types = sorted(merged, key=lambda axes: (len(axes), axes))
+        return [reduce(lambda a, b: self.apply("or", a, b), merged[axes]) for axes in types]
 
     def simplified(self, operator: Operator, operands: list[Node]) -> Node:
         """An operator, with what simplifies at once; x - x stays: it may be there for its NaN."""

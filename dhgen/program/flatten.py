@@ -9,7 +9,6 @@ time, and for many in lanes of poses.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import reduce
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -33,10 +32,11 @@ class Flat:
 
     Attributes:
         program: Its axes are the lanes. Its outputs are the joints' values for each of the
-            choices, whether one is outside its limits for each of them, and the doubt.
+            choices, whether one is outside its limits for each of them, and the doubts.
         joints: Number of joints.
         limited: Whether there are limits.
-        doubt: Whether the pose has to be left to the whole program, in any lane; None if never.
+        doubts: Whether the pose has to be left to the whole program, one truth value for each
+            type; the last one's is widest.
         choices: The values of the unrolled signs, in the order of the outputs.
         lanes: The axes of the original program that are lanes.
         unrolled: The others.
@@ -45,10 +45,15 @@ class Flat:
     program: Program
     joints: int
     limited: bool
-    doubt: Expression | None
+    doubts: tuple[Expression, ...]
     choices: tuple[Choice, ...]
     lanes: tuple[int, ...]
     unrolled: tuple[int, ...]
+
+    @property
+    def doubt(self) -> Expression | None:
+        """The doubt, where there are no lanes; None if there is never any."""
+        return self.doubts[0] if self.doubts else None
 
     @property
     def groups(self) -> tuple[tuple[Expression, ...], ...]:
@@ -103,14 +108,15 @@ class _Flattening:
                 name = _name("outside", choice)
                 results[name] = self._value(self._solver.outside, self._unrolled, choice)
                 builder.hint(results[name], name)
-        doubt = self._doubt(choices)
-        results |= {} if doubt is None else {"doubt": doubt}
+        count = len(results)
+        doubts = self._doubts(choices)
+        results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         program = builder.finish(self._program.name, results, [])
         return Flat(
             program,
             joints=len(self._solver.joints),
             limited=self._solver.outside is not None,
-            doubt=None if doubt is None else program.outputs[-1],
+            doubts=program.outputs[count:],
             choices=choices,
             lanes=self._lanes,
             unrolled=self._unrolled,
@@ -141,13 +147,10 @@ class _Flattening:
                 self._builder.hint(node, _name(statement.name, choice))
             self._values[statement.name, choice] = node
 
-    def _doubt(self, choices: tuple[Choice, ...]) -> Node | None:
-        """Any doubt in any branch."""
-        doubts = self._solver.doubts
-        found = [self._value(o, self._unrolled, choice) for o in doubts for choice in choices]
-        if not found:
-            return None
-        return reduce(lambda a, b: self._builder.apply("or", a, b), dict.fromkeys(found))
+    def _doubts(self, choices: tuple[Choice, ...]) -> list[Node]:
+        """Any doubt in any branch, by type."""
+        nodes = [self._value(d, self._unrolled, c) for d in self._solver.doubts for c in choices]
+        return self._builder.disjunctions(nodes)
 
     def _value(self, expression: Expression, axes: tuple[int, ...], choice: Choice) -> Node:
         """An expression where the unrolled axes have these values."""

@@ -139,6 +139,13 @@ class Graph:
             self._index[key] = self._fold(value, formula)
         return self._index[key]
 
+    def number(self, value: Fraction, meaning: str) -> Node:
+        """A constant made of the arm's in a way that no formula tells."""
+        key = ("folded", value)
+        if key not in self._index:
+            self._index[key] = self._fold(value, Formula(meaning))
+        return self._index[key]
+
     def unique(self, wanted: str) -> str:
         """A name like the wanted one that nothing else has; it is taken from now on."""
         name = wanted

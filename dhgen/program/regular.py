@@ -86,6 +86,7 @@ class _Regular:
         self._program = program
         self._kept = kept  # the inverse lengths that stay in front as long as they can
         self._limits = limits
+        self._exact = _compared(program)
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
         self._values: dict[str, Signed] = {}
@@ -115,7 +116,8 @@ class _Regular:
         outside = limiting.outside()
         results |= {} if outside is None else {"outside": outside}
         count = len(results)
-        results |= {f"doubt{place + 1}": node for place, node in enumerate(self._merged_doubts())}
+        doubts = builder.disjunctions(self._doubts)
+        results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(self._program.name, results, [])
         outputs = finished.outputs
         return Regular(
@@ -156,7 +158,10 @@ class _Regular:
             case Let(name, expression) if self._foreseen(name, expression):
                 pass
             case Let(name, expression):
-                self._values[name] = value = self._value(expression)
+                value = self._value(expression)
+                if not statement.truth and name not in self._exact:
+                    value = self._arithmetic.sooner(value, name)
+                self._values[name] = value
                 if not (name[0] == "v" and name[1:].isdigit()):
                     self._builder.hint(value.node, name)
                 if self._assumed.get(name) is False and statement.truth:
@@ -215,15 +220,6 @@ class _Regular:
                 seen[node] = any(self._spoils(cause, each, seen) for each in entry.operands)
         return seen[node]
 
-    def _merged_doubts(self) -> list[Node]:
-        """One doubt for each type."""
-        merged: dict[tuple[int, ...], Node] = {}
-        for node in dict.fromkeys(self._doubts):
-            axes = self._builder.axes_of(node)
-            known = merged.get(axes)
-            merged[axes] = node if known is None else self._builder.apply("or", known, node)
-        return list(merged.values())
-
     def _truth(self, expression: Expression) -> Node:
         return self._value(expression).node
 
@@ -272,6 +268,29 @@ class _Regular:
                 return None if None in decided else not ending
             case _:
                 return None
+
+
+def _compared(program: Program) -> frozenset[str]:
+    """The values that are compared or under a root: written as they are, so that they are exact."""
+    found: set[str] = set()
+
+    def look(expression: Expression, *, exact: bool) -> None:
+        match expression:
+            case Variable(name) if exact:
+                found.add(name)
+            case Apply(operator, operands):
+                keeps = operator in {"less", "at_most", "sqrt"} or (exact and operator == "select")
+                for operand in operands:
+                    look(operand, exact=keeps)
+            case _:
+                pass
+
+    for statement in program.body:
+        if isinstance(statement, Let):
+            look(statement.expression, exact=False)
+        elif isinstance(statement, Guard):
+            look(statement.condition, exact=False)
+    return frozenset(found)
 
 
 def _is_inverse(expression: Expression) -> bool:

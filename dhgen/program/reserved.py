@@ -17,9 +17,17 @@ inner j k least left length lost low middle misfit miss moved n nearest outer re
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
 """
 
+_LANES = """
+HELPER bits_four bits_wide four four_at four_mask from irregularity_four irregularity_wide kind
+kind_of odd size solve_tile solve_wide store_1 store_2 store_4 transpose two_at wide wide_at
+wide_mask word abs_four all_four atan2_four copysign_four cos_four larger_four pick_four sin_four
+smaller_four sqrt_four where_four wrap_four abs_wide all_wide atan2_wide copysign_wide cos_wide
+larger_wide pick_wide sin_wide smaller_wide sqrt_wide where_wide wrap_wide
+"""
+
 _PYTHON = """
 BRANCHES DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_TYPES MAX_SOLUTIONS NAME OK
 OUT_OF_LIMITS UNREACHABLE Unreachable math njit np prange
 """
 
-RESERVED = frozenset(f"{_SOLVER} {_C} {_PYTHON}".split())
+RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())

@@ -9,9 +9,10 @@ factors s, such as the inverse of a length, may stay in front, too: an angle doe
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from dhgen.program.rewriting import Rewriting
 from dhgen.program.turned import turned_pair
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ class SignedArithmetic:
 
     def __init__(self, builder: Builder) -> None:
         self._builder = builder
+        self._rewriting = Rewriting(builder)
         self._ranges: dict[Node, tuple[float, float]] = {}
         self._turns: list[Node] = []
 
@@ -81,7 +83,12 @@ class SignedArithmetic:
                 return Signed(self._wrapped(self.plain(x)))
             case _:
                 plain = [self.plain(operand) for operand in operands]
-                return Signed(builder.apply(operator, *plain))
+                length = self._rewriting.length(*plain) if operator == "sqrt" else None
+                return Signed(builder.apply(operator, *plain) if length is None else length)
+
+    def sooner(self, value: Signed, wanted: str) -> Signed:
+        """The value of this name, in a form in which it is known sooner."""
+        return replace(value, node=self._rewriting.sooner(value.node, wanted))
 
     def plain(self, value: Signed) -> Node:
         """The value itself."""
@@ -122,8 +129,10 @@ class SignedArithmetic:
         are of no use in front.
         """
         builder = self._builder
+        original = self._rewriting.original
+        first, second = (replace(value, node=original(value.node)) for value in (y, x))
+        turned = self._turned(*self._without_length(first, second))
         y, x = self._without_length(y, x)
-        turned = self._turned(y, x)
         if turned is not None:
             return turned
         y, x = self._reduced(y, y, x), self._reduced(x, y, x)

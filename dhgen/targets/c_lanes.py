@@ -125,9 +125,7 @@ class LaneText:
         """A truth value in all lanes."""
         if part.lanes:
             return part
-        return Text(
-            f"(all_{self._vector}({part.within(ATOM)} ? 1.0 : 0.0) > 0.0)", ATOM, lanes=True
-        )
+        return Text(f"where_{self._vector}({part.text})", ATOM, lanes=True)
 
 
 def lane_functions(program: Program) -> tuple[str, ...]:

@@ -10,11 +10,12 @@ from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let
 from dhgen.program.schedule import names_in
-from dhgen.robot.robot import TaskKind
+from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_lines, packed_angles
-from dhgen.targets.layout import WIDTH, call, listed, wrapped
+from dhgen.targets.c_rows import status_lines, stores
+from dhgen.targets.layout import call, listed, wrapped
 from dhgen.targets.scalar import pose_entries
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
             {"name": "wide", "lanes": "LANES", "functions": functions},
         ],
         "arctangent": _arctangent(),
-        "irregularity": {name: _irregularity(module, name) for name in ("wide", "double")},
+        "irregularity": irregularities(module, _inputs(module, "%")),
         "wide": _wide(module, flat),
         "one": _one(module, lanes),
         "tile": {"prototype": _prototype(module, "HELPER unsigned solve_tile", "tile")},
@@ -90,43 +91,6 @@ def _arctangent() -> dict[str, object]:
         "half": repr(math.pi / 2),
         "pi": repr(math.pi),
     }
-
-
-def _irregularity(module: SolverModule, number: str) -> dict[str, object]:
-    """The head and the statements of the function, for one type of numbers."""
-    given = ", ".join(_inputs(module, number))
-    lines = [line.replace("%", number) for line in _irregular_lines(module)]
-    return {"head": f"HELPER {number} irregularity_{number}({given})", "lines": lines}
-
-
-def _irregular_lines(module: SolverModule) -> list[str]:
-    """Statements; % is the type."""
-    kind = module.chain.task.kind
-    positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
-    positions += [f"free_joints[{place}]" for place in range(len(module.chain.free))]
-    lines, terms = [], []
-    if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
-        for row in range(3):
-            entries = [f"{'xyz'[row]}{column} = T[{4 * row + column}]" for column in range(3)]
-            lines.append(f"const % {', '.join(entries)};")
-        lines += [
-            "const % xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;",
-            "const % yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;",
-            "const % xy = x0 * y0 + x1 * y1 + x2 * y2;",
-            "const % zx = x1 * y2 - x2 * y1 - z0;",
-            "const % zy = x2 * y0 - x0 * y2 - z1;",
-            "const % zz = x0 * y1 - x1 * y0 - z2;",
-        ]
-        terms.append("xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz")
-    elif kind is TaskKind.POINTING:
-        lines.append("const % zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;")
-        terms.append("zz * zz")
-    if kind is TaskKind.POSE:
-        lines.append("const % w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;")
-        terms.append("w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3")
-    if positions:
-        terms.append(f"0.0 * ({' + '.join(positions)})")
-    return [*lines, *wrapped(f"return {' + '.join(terms)};", "", width=WIDTH - 4)]
 
 
 def _prototype(module: SolverModule, head: str, form: str) -> str:
@@ -238,40 +202,23 @@ def _one(module: SolverModule, flat: Flat) -> dict[str, object]:
     lines += [*entry_lines(flat.program), *_with_angles(flat, text), ""]
     given = ", ".join(["T", *(["free_joints"] if module.chain.free else [])])
     limit = repr(module.precision.tolerances.orthonormal)
-    lines.append(f"{INDENT}if (!(irregularity_double({given}) <= {limit}))")
+    doubts = [text.text(doubt) for doubt in flat.doubts]
+    lane = [f"((irregularity_four({given}) <= {limit}) == 0)", *(d.text for d in doubts if d.lanes)]
+    single = [f"(unsigned)({d.text})" for d in doubts if not d.lanes]
+    doubtful = " | ".join([f"bits_four({' | '.join(lane)})", *single])
+    lines += wrapped(f"{INDENT}if ({doubtful})", INDENT)
     lines.append(f"{INDENT}    return -1;")
-    if flat.doubt is not None:
-        doubt = text.text(flat.doubt)
-        asked = f"bits_four({doubt.text})" if doubt.lanes else doubt.text
-        lines += wrapped(f"{INDENT}if ({asked})", INDENT)
-        lines.append(f"{INDENT}    return -1;")
-    lines.append(f"{INDENT}int count = 0;")
-    for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
-        row = [_row(module, flat, choice, lane) for lane in range(4)]
-        lines += _stores(text, group, row)
-        name = f"kind{place + 1}"
-        first = text.vector(group[0])
-        outside = text.mask(flat.outside[place]) if flat.outside else "0"
-        kind = f"kind_of({first} != {first}, {outside})"
-        lines += wrapped(f"{INDENT}const four_mask {name} = {kind};", INDENT)
-        used = sorted({r: lane for lane, r in reversed(list(enumerate(row)))}.items())
-        mask = sum(1 << lane for _, lane in used)
-        lines.append(f"{INDENT}count += __builtin_popcount(bits_four({name} == 0) & {mask}u);")
-        lines += [f"{INDENT}status[{r}] = (unsigned char){name}[{lane}];" for r, lane in used]
-    lines.append(f"{INDENT}return count;")
+    rows = [[_row(module, flat, choice, lane) for lane in range(4)] for choice in flat.choices]
+    for group, row in zip(flat.groups, rows, strict=True):
+        lines += stores(text, group, row)
+    nones = [_is_nan(text, group[0]) for group in flat.groups]
+    outsides = [text.mask(outside) for outside in flat.outside]
+    lines += status_lines(module.name.upper(), module.solver.rows, rows, nones, outsides)
     head = "HELPER int solve_regular"
     about = f"{len(flat.lanes)} signs"
     return {"prototype": _prototype(module, head, "one"), "lines": lines, "about": about}
 
 
-def _stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> list[str]:
-    lines = []
-    place = 0
-    while place < len(group):
-        left = len(group) - place
-        size = 4 if left >= 4 else 2 if left >= 2 else 1
-        parts = ", ".join(text.vector(value) for value in group[place : place + size])
-        where = ", ".join(f"&q[{row}][{place}]" for row in rows)
-        lines += wrapped(f"{INDENT}store_{size}({where}, {parts});", INDENT)
-        place += size
-    return lines
+def _is_nan(text: LaneText, expression: Expression) -> str:
+    value = text.vector(expression)
+    return f"{value} != {value}"

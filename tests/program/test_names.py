@@ -62,12 +62,26 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
 
 def test_what_the_templates_use_is_reserved() -> None:
     """A constant of such a name would be hidden by the template's own, or hide it."""
-    template = (ROBOTS.parent / "templates/c/solver.c.jinja").read_text(encoding="utf-8")
-    code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}", " ", template, flags=re.DOTALL)
+    template = _templates("solver", "regular")
+    code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}|\{#.*?#\}", " ", template, flags=re.DOTALL)
     code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*|#\s*\w+', "", code, flags=re.DOTALL)
     used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
     assert {"solve", "misfit", "seed"} <= used
     assert not used - RESERVED
+
+
+def test_what_stands_before_the_constants_is_reserved() -> None:
+    """Functions, types and macros: what is inside of them can't meet a constant."""
+    tools = _templates("regular_tools", "lanes")
+    functions = re.findall(r"^HELPER [\w ]*?\*?(\w+)\(", tools, re.MULTILINE)
+    macros = re.findall(r"#define (\w+)", tools)
+    assert {"store_4", "pick_four", "kind_of"} <= {*functions, *macros}
+    assert not {*functions, *macros} - RESERVED
+
+
+def _templates(*names: str) -> str:
+    folder = ROBOTS.parent / "templates/c"
+    return "\n".join((folder / f"{name}.c.jinja").read_text(encoding="utf-8") for name in names)
 
 
 def test_a_tolerance_of_a_name_that_the_arm_has() -> None:

@@ -67,10 +67,15 @@ def assert_same(name: str, q: FloatArray, doubt: NDArray[Any] | np.bool_) -> Non
     miss = np.nan_to_num(np.abs(q - rows.q))
     miss = np.minimum(miss, np.abs(miss - 2 * np.pi))
     assert miss[:COUNT][sure[:COUNT]].max() < 1e-9
-    assert miss[sure].max() < 1e-5  # beside a singularity a value hangs on the root of rounding
     chain = story(name).derivation.problem.algebra.chain
     size = np.where(np.arange(4) == 3, max(chain.size, 1.0), 1.0)
     arm = numeric_arm(chain)
+    # beside a singularity a value hangs on the root of rounding; beside two at once, a straight
+    # wrist on a stretched arm, on rounding itself, and then the pose must not show the motion
+    apart = miss.max(-1) * sure[:, None]
+    for place in np.argwhere(apart > 1e-5):
+        across = np.linalg.svd(arm.jacobian(rows.q[tuple(place)]), compute_uv=False)
+        assert across[-1] < 1e-9
     reached, meant = (arm.pose(np.nan_to_num(each[sure])) for each in (q, rows.q))
     names = task_entries(chain.task)
     entries = [(int(entry[1]) - 1, int(entry[2]) - 1) for entry in names]
@@ -108,32 +113,33 @@ def test_some_branches_stay_as_lanes(name: str, lanes: tuple[int, ...]) -> None:
     flat = flatten(solver, lanes)
     assert [axis.name for axis in flat.program.axes] == [f"e{place + 1}" for place in lanes]
     found = outputs(flat.program, T)
-    groups = np.stack(found[:-1], axis=-1).reshape(len(T), 1 << len(lanes), -1, flat.joints)
+    values = np.stack(found[: len(found) - len(flat.doubts)], axis=-1)
+    groups = values.reshape(len(T), 1 << len(lanes), -1, flat.joints)
     order = [*flat.lanes, *flat.unrolled]  # the axes as they stand in the groups
     split = groups.reshape(len(T), *(2 for _ in order), flat.joints)
     q = split.transpose(0, *(1 + order.index(axis) for axis in range(len(order))), -1)
-    assert_same(name, q.reshape(rows.q.shape), found[-1].any(-1))
+    doubt = np.any(found[len(found) - len(flat.doubts) :], axis=(0, -1))
+    assert_same(name, q.reshape(rows.q.shape), doubt)
 
 
-@pytest.mark.parametrize(
-    ("name", "arctangents", "square_roots", "divisions"),
-    [
-        ("kuka_kr6_r900", 19, 11, 5),
-        ("ur5", 20, 7, 3),
-        ("puma560", 19, 10, 5),
-        ("rrprrr", 5, 3, 3),
-        ("scara", 4, 5, 3),
-    ],
-)
-def test_operations_of_narrow_types(
-    name: str, arctangents: int, square_roots: int, divisions: int
-) -> None:
+MOST = {  # additions, multiplications, divisions, square roots, arctangents of a regular pose
+    "kuka_kr6_r900": (141, 203, 3, 7, 19),
+    "ur5": (135, 168, 3, 7, 20),
+    "puma560": (110, 204, 2, 6, 19),
+    "stanford": (63, 139, 4, 4, 9),
+    "rrprrr": (49, 93, 3, 3, 5),
+    "scara": (56, 50, 2, 3, 4),
+}
+
+
+@pytest.mark.parametrize("name", sorted(MOST))
+def test_operations_of_narrow_types(name: str) -> None:
     solver = regular(story(name).program)
     assert solver is not None
     found = count_operations(solver.program)
-    assert found.arctangents <= arctangents
-    assert found.square_roots <= square_roots
-    assert found.divisions <= divisions
+    kinds = ("additions", "multiplications", "divisions", "square_roots", "arctangents")
+    counts = [getattr(found, kind) for kind in kinds]
+    assert all(count <= most for count, most in zip(counts, MOST[name], strict=True)), counts
     assert found.sines_cosines == 0
 
 
@@ -142,7 +148,7 @@ def test_names_say_the_branch() -> None:
     assert solver is not None
     flat = flatten(solver)
     names = {statement.name for statement in flat.program.body if isinstance(statement, Let)}
-    assert {"w1", "w3_p", "w3_m", "c3_pp", "c3_pm", "c3_mp", "c3_mm"} <= names
+    assert {"w1", "w3_p", "w3_m", "X4_pp", "X4_pm", "X4_mp", "X4_mm"} <= names
 
 
 def test_roots_of_polynomials_have_no_regular_program() -> None:

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.step import Kind
 from dhgen.program.count import count_operations
+from dhgen.program.regular import regular
 from dhgen.targets.derivation.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.derivation.tree import tree_text
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Block
+    from dhgen.program.count import OperationCount
+    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
 
@@ -51,11 +53,41 @@ def singular_section(found: list[Singularity]) -> list[Block]:
 
 
 def cost_section(story: Story) -> list[Block]:
-    """The operations of the program for all rows together."""
+    """The operations of the program for all rows together, and of that of regular poses."""
     count = count_operations(story.program)
     rows = story.program.rows
-    header = ("", "additions", "multiplications", "divisions", "square roots", "atan2", "sin, cos")
     label = "the solution" if rows == 1 else f"all {rows} rows"
+    lines = [_operations(label, count)]
+    text = (
+        "A value that depends on a part of the signs is computed once for each combination of "
+        "them. The solutions are made of atan2 and square roots alone"
+        + ("." if not count.sines_cosines else "; " + _sines(story))
+    )
+    solver = regular(story.program)
+    if solver is not None:
+        lines.append(_operations("at a regular pose", count_operations(solver.program)))
+        text += (
+            " At a regular pose no joint is free and no two branches meet, so that neither has to "
+            "be asked; what is odd or even in a sign is computed once for both of its values."
+        )
+    return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
+
+
+_COUNTED = tuple(
+    say(word)
+    for word in (
+        "",
+        "additions",
+        "multiplications",
+        "divisions",
+        "square roots",
+        "atan2",
+        "sin, cos",
+    )
+)
+
+
+def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
     numbers = (
         count.additions,
         count.multiplications,
@@ -64,21 +96,7 @@ def cost_section(story: Story) -> list[Block]:
         count.arctangents,
         count.sines_cosines,
     )
-    blocks: list[Block] = [
-        Heading(2, say("Cost")),
-        Table(
-            tuple(say(word) for word in header),
-            ((say(label), *(say(str(each)) for each in numbers)),),
-        ),
-    ]
-    blocks.append(
-        paragraph(
-            "A value that depends on a part of the signs is computed once for each combination of "
-            "them. The solutions are made of atan2 and square roots alone"
-            + ("." if not count.sines_cosines else "; " + _sines(story))
-        )
-    )
-    return blocks
+    return (say(label), *(say(str(each)) for each in numbers))
 
 
 def _sines(story: Story) -> str:

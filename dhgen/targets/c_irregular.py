@@ -1,0 +1,94 @@
+"""C that tells how far a pose is from one in full precision: orthonormal, right-handed, finite."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.robot.robot import TaskKind
+from dhgen.targets.layout import WIDTH, wrapped
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+
+ROTATIONS = frozenset({TaskKind.POSE, TaskKind.ORIENTATION})
+
+
+def irregularities(module: SolverModule, inputs: list[str]) -> dict[str, object]:
+    """The functions: in lanes of poses, and for one pose with its columns in lanes.
+
+    Args:
+        module: The robot.
+        inputs: The parameters, % for the type of a number.
+    """
+    rotation = module.chain.task.kind in ROTATIONS
+    one = _side_by_side(module) if rotation else _plain(module, "double", "all_four({})")
+    return {
+        "wide": _function("wide", "wide", inputs, _plain(module, "wide", "{}")),
+        "four": _function("four", "double", inputs, one),
+    }
+
+
+def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> dict[str, object]:
+    given = ", ".join(inputs).replace("%", number)
+    return {"head": f"HELPER {result} irregularity_{result}({given})", "lines": lines}
+
+
+def _finite(module: SolverModule) -> list[str]:
+    """What has to be finite besides the rotation."""
+    positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
+    return positions + [f"free_joints[{place}]" for place in range(len(module.chain.free))]
+
+
+def _plain(module: SolverModule, number: str, result: str) -> list[str]:
+    """Statements without lanes of their own; the result has {} in place of the sum."""
+    kind = module.chain.task.kind
+    finite = _finite(module)
+    lines, terms = [], []
+    if kind in ROTATIONS:
+        for row in range(3):
+            entries = [f"{'xyz'[row]}{column} = T[{4 * row + column}]" for column in range(3)]
+            lines.append(f"const {number} {', '.join(entries)};")
+        lines += [
+            f"const {number} xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;",
+            f"const {number} yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;",
+            f"const {number} xy = x0 * y0 + x1 * y1 + x2 * y2;",
+            f"const {number} zx = x1 * y2 - x2 * y1 - z0;",
+            f"const {number} zy = x2 * y0 - x0 * y2 - z1;",
+            f"const {number} zz = x0 * y1 - x1 * y0 - z2;",
+        ]
+        terms.append("xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz")
+    elif kind is TaskKind.POINTING:
+        lines.append(f"const {number} zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;")
+        terms.append("zz * zz")
+    if kind is TaskKind.POSE:
+        lines.append(f"const {number} w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;")
+        terms.append("w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3")
+    if finite:
+        terms.append(f"0.0 * ({' + '.join(finite)})")
+    total = result.format(" + ".join(terms))
+    return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]
+
+
+def _side_by_side(module: SolverModule) -> list[str]:
+    """The columns in lanes: their lengths and angles, and whether the rows are right-handed."""
+    pose = module.chain.task.kind is TaskKind.POSE
+    rotated = "const four {0}{1} = __builtin_shufflevector({0}, {0}, {2}, 3);".format
+    lines = [f"const four {n} = *(const four_at *)(T + {4 * row});" for row, n in enumerate("xyz")]
+    lines += [rotated(name, 1, "1, 2, 0") for name in "xyz"]
+    lines += [rotated(name, 2, "2, 0, 1") for name in "xy"]
+    lines += [
+        "const four lengths = x * x + y * y + z * z - 1.0;",
+        "const four angles = x * x1 + y * y1 + z * z1;",
+        "const four mirror = x1 * y2 - x2 * y1 - z;",
+    ]
+    total = "lengths * lengths + 2.0 * angles * angles + mirror * mirror"
+    if pose:
+        lines.append("const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };")
+        # of the fourth column only this is left: that it is finite
+        total = f"({total}) * (four){{ 1.0, 1.0, 1.0, 0.0 }} + last * last"
+        free = [each for each in _finite(module) if each.startswith("free")]
+        total += f" + 0.0 * ({' + '.join(free)})" if free else ""
+    else:
+        lines += wrapped(f"const four sum = {total};", "", width=WIDTH - 4)
+        total = "__builtin_shufflevector(sum, all_four(0.0), 0, 1, 2, 7)"
+    return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]

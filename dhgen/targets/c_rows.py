@@ -1,0 +1,84 @@
+"""C that writes the rows of one pose out of lanes: joint values, statuses, and how many are OK."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.layout import INDENT, wrapped
+
+if TYPE_CHECKING:
+    from dhgen.program.ir import Expression
+    from dhgen.targets.c_lanes import LaneText
+
+WORD = 8  # rows whose statuses fill a machine word
+
+
+def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> list[str]:
+    """Statements that write the joint values of four rows.
+
+    Args:
+        text: Prints expressions.
+        group: The joint values.
+        rows: The row of each lane.
+    """
+    lines = []
+    place = 0
+    while place < len(group):
+        left = len(group) - place
+        size = 4 if left >= 4 else 2 if left >= 2 else 1
+        parts = ", ".join(text.vector(value) for value in group[place : place + size])
+        where = ", ".join(f"&q[{row}][{place}]" for row in rows)
+        lines += wrapped(f"{INDENT}store_{size}({where}, {parts});", INDENT)
+        place += size
+    return lines
+
+
+def status_lines(
+    prefix: str, count: int, rows: list[list[int]], nones: list[str], outsides: list[str]
+) -> list[str]:
+    """Statements that write the statuses and return how many rows are OK.
+
+    Bits of lanes become bytes of a word: the product with a sum of powers of two has each bit in
+    its byte, among others, which are masked off.
+
+    Args:
+        prefix: Of the names of statuses.
+        count: How many rows there are.
+        rows: For each group the row of each lane; lanes may stand for the same row.
+        nones: For each group the mask of lanes without a solution.
+        outsides: The same for lanes outside the limits; empty without limits.
+    """
+    lines: list[str] = []
+    oks = [str(count)]
+    for first in range(0, count, WORD):
+        none, outside = f"none{first // WORD + 1}", f"outside{first // WORD + 1}"
+        lines += _word(none, first, rows, nones)
+        word = f"{none} * {prefix}_UNREACHABLE"
+        failed = none
+        if outsides:
+            lines += _word(outside, first, rows, outsides)
+            word = f"{word} + ({outside} & ~{none}) * {prefix}_OUT_OF_LIMITS"
+            failed = f"{none} | {outside}"
+        status = f"kind{first // WORD + 1}"
+        lines += wrapped(f"{INDENT}const unsigned long long {status} = {word};", INDENT)
+        size = min(WORD, count - first)
+        lines.append(f"{INDENT}__builtin_memcpy(status + {first}, &{status}, {size});")
+        oks.append(f"__builtin_popcountll({failed})")
+    return [*lines, *wrapped(f"{INDENT}return {' - '.join(oks)};", INDENT)]
+
+
+def _word(name: str, first: int, rows: list[list[int]], masks: list[str]) -> list[str]:
+    """A word with a byte for each row, from the first: 1 where the mask of its lane is set."""
+    places: dict[str, dict[int, int]] = {}  # of a mask the lane of each byte
+    for group, mask in zip(rows, masks, strict=True):
+        for lane, row in enumerate(group):
+            if first <= row < first + WORD:
+                places.setdefault(mask, {}).setdefault(row - first, lane)
+    parts = []
+    for mask, lanes in places.items():
+        moved = max(0, *(lane - WORD * byte for byte, lane in lanes.items()))
+        factor = sum(1 << (WORD * byte - lane + moved) for byte, lane in lanes.items())
+        bits = sum(1 << WORD * byte for byte in lanes)
+        product = f"bits_four({mask}) * {factor:#x}ull" + (f" >> {moved}" if moved else "")
+        parts.append(f"({product} & {bits:#x}ull)")
+    return wrapped(f"{INDENT}const unsigned long long {name} = {' | '.join(parts)};", INDENT)
